@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesher/metric/statistics.hpp"
+
+namespace anisofront {
+
+/// Where a mesh stands with respect to the target error of the study.
+enum class TargetState { none, missed, reached };
+
+/// CPU seconds of one cycle.
+struct CycleSeconds {
+  double metric = 0, front = 0, enhance = 0, quads = 0, solve = 0, estimate = 0;
+};
+
+/// Errors of the solution on the mesh of this cycle; what is unknown is empty.
+struct CycleError {
+  std::optional<double> estimate;
+  std::optional<double> relative_energy;  ///< true error / true energy norm, from an exact solution
+  std::optional<double> effectivity;
+};
+
+/// One row of the history: the mesh that a cycle ended with. Cycle 0 is the initial mesh.
+struct CycleRecord {
+  int cycle = 0;
+  Index dofs = 0;
+  /// Against the metric interpolated from the mesh that served as background.
+  MeshStatistics background;
+  /// Against the exact formula of a prescribed metric.
+  std::optional<MeshStatistics> exact;
+  CycleError error;
+  CycleSeconds seconds;
+  std::vector<std::string> warnings;
+};
+
+struct VariantHistory {
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> settings;  ///< key, value as in the study file
+  std::vector<CycleRecord> cycles;
+  std::string stop_reason;
+  /// State of the last mesh; `missed` is exit code 1 of the program.
+  TargetState target = TargetState::none;
+};
+
+}  // namespace anisofront

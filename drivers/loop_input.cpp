@@ -1,0 +1,128 @@
+#include "drivers/loop_input.hpp"
+
+#include <algorithm>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "drivers/prescribed_metric.hpp"
+#include "drivers/text.hpp"
+#include "mesher/io/mesh_io.hpp"
+
+namespace anisofront {
+namespace {
+
+/// Two triangles that cover the domain with room to spare.
+Mesh box_around(const Domain& domain) {
+  Point low = domain.curves.front().curve.points.front(), high = low;
+  // A NURBS curve lies in the convex hull of its control points.
+  for (const DomainCurve& curve : domain.curves)
+    for (const Point p : curve.curve.points) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  const Vector margin = 0.01 * norm(high - low) * Vector{1, 1};
+  low = low - margin;
+  high = high + margin;
+  Mesh box;
+  box.points = {low, {high.x, low.y}, high, {low.x, high.y}};
+  box.triangles = {{0, 1, 2}, {0, 2, 3}};
+  box.triangle_regions = {1, 1};
+  return box;
+}
+
+/// Tags of the curves of this name; several chains of a mesh boundary share one.
+Index boundary_tag(const Domain& domain, const BoundaryValue& value) {
+  std::vector<std::string> known;
+  for (const DomainCurve& curve : domain.curves) {
+    if (curve.name == value.curve) return curve.tag;
+    known.push_back(curve.name);
+  }
+  throw UsageError(fmt::format("{}: no curve is called \"{}\"{}", value.place, value.curve,
+                               name_proposal(value.curve, known)));
+}
+
+std::optional<ExactSolution> known_solution(const ScalarProblemText& text) {
+  if (text.exact.empty()) return {};
+  return exact_solution(text.exact, text.diffusion, text.reaction);
+}
+
+ScalarProblem scalar_problem(const ScalarProblemText& text, const Domain& domain,
+                             const std::optional<ExactSolution>& exact) {
+  ScalarProblem problem;
+  problem.diffusion = text.diffusion;
+  problem.reaction = text.reaction;
+  if (exact) problem.source = exact->source;
+  if (text.source) problem.source = scalar_function(*text.source);
+  for (const BoundaryValue& value : text.boundary)
+    problem.dirichlet.push_back({boundary_tag(domain, value), scalar_function(value.value)});
+  return problem;
+}
+
+AdaptSettings adapt_settings(const Study& study) {
+  AdaptSettings settings;
+  settings.mode = study.mode;
+  if (study.target.nodes) settings.target_vertices = *study.target.nodes;
+  settings.target_error = study.target.error;
+  settings.limits = study.limits;
+  return settings;
+}
+
+void set_purpose(const Study& study, LoopInput& input) {
+  if (study.metric) {
+    // One copy to sample, one for the statistics: the same compiled expressions.
+    input.exact_metric = prescribed_metric(*study.metric, input.domain, study.limits);
+    input.analyse = analyse_prescribed(input.exact_metric);
+    return;
+  }
+  const auto exact = known_solution(*study.problem);
+  input.analyse = analyse_scalar(scalar_problem(*study.problem, input.domain, exact), exact,
+                                 adapt_settings(study));
+}
+
+}  // namespace
+
+GenerateOptions study_options(const Study& study) {
+  GenerateOptions options = generate_options(study.preset);
+  options.interpolation = study.interpolation;
+  options.gradation = study.gradation;
+  options.max_elements = study.max_elements;
+  options.boundary.chord_height = study.chord_height;
+  return options;
+}
+
+Mesh uniform_mesh(const Domain& domain, double size, const GenerateOptions& options,
+                  const Monitor& monitor) {
+  const Mesh box = box_around(domain);
+  const MetricField field(box.points.size(), metric_from_size(size));
+  GenerateOptions uniform = generate_options(Preset::best);
+  uniform.max_elements = options.max_elements;
+  return generate(domain, box, field, uniform, monitor).mesh;
+}
+
+Start study_start(const Study& study, const Monitor& monitor) {
+  Start start{study.domain, {}};
+  if (!study.domain_mesh.empty()) {
+    start.mesh = read_mesh_file(study.domain_mesh, monitor).mesh;
+    start.domain = domain_from_mesh(start.mesh, study.domain_options);
+  }
+  if (study.initial.file.empty()) {
+    start.mesh = uniform_mesh(start.domain, study.initial.size, study_options(study), monitor);
+  } else if (study.initial.file != study.domain_mesh) {
+    start.mesh = read_mesh_file(study.initial.file, monitor).mesh;
+    attach_to_domain(start.mesh, start.domain);
+  }
+  return start;
+}
+
+LoopInput loop_input(const Study& study, const Monitor& monitor) {
+  Start start = study_start(study, monitor);
+  LoopInput input;
+  input.domain = std::move(start.domain);
+  input.initial = std::move(start.mesh);
+  input.cycles = study.cycles;
+  input.generate = study_options(study);
+  set_purpose(study, input);
+  return input;
+}
+
+}  // namespace anisofront

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "adapt/loop.hpp"
+#include "drivers/study.hpp"
+
+namespace anisofront {
+
+/// Everything a study says, ready for adapt_loop(): reads or makes the initial mesh, compiles the
+/// expressions. `finished` stays empty. Throws UsageError, InputError and what generate() throws.
+LoopInput loop_input(const Study& study, const Monitor& monitor = {});
+
+/// Domain and initial mesh of a study, the mesh attached to the domain.
+struct Start {
+  Domain domain;
+  Mesh mesh;
+};
+Start study_start(const Study& study, const Monitor& monitor = {});
+
+/// The preset with what the study changes.
+GenerateOptions study_options(const Study& study);
+
+/// A mesh of the domain with edges of length `size`, attached to it.
+Mesh uniform_mesh(const Domain& domain, double size, const GenerateOptions& options,
+                  const Monitor& monitor = {});
+
+}  // namespace anisofront

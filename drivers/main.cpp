@@ -1,0 +1,3 @@
+#include "drivers/program.hpp"
+
+int main(int argc, char** argv) { return anisofront::run_program(argc, argv); }

@@ -1,0 +1,208 @@
+#include "drivers/study.hpp"
+
+#include <algorithm>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "drivers/paper_table.hpp"
+#include "drivers/text.hpp"
+
+namespace anisofront {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Paths in a study are relative to it.
+fs::path beside(const fs::path& study, const std::string& name) {
+  return (study.parent_path() / name).lexically_normal();
+}
+
+void read_domain(TomlTable& root, Study& study) {
+  auto table = root.required(root.table("domain"), "domain");
+  const auto mesh = table.text("mesh");
+  if (!mesh) {
+    study.domain = parse_domain(table);
+    return;
+  }
+  study.domain_mesh = beside(study.file, *mesh);
+  study.domain_options.corner_angle =
+      table.positive("corner_angle").value_or(study.domain_options.corner_angle);
+  const std::string shape = table.choice("boundary", {"linear", "smooth"}, "linear");
+  study.domain_options.shape = shape == "smooth" ? BoundaryShape::smooth : BoundaryShape::linear;
+  table.finish();
+}
+
+void refuse_quadrilaterals(TomlTable& table) {
+  const std::string elements = table.choice("elements", {"triangle", "quadrilateral"}, "triangle");
+  if (elements == "quadrilateral")
+    table.fail(
+        "elements",
+        "this version makes triangles only; write elements = \"triangle\" or leave the key out");
+}
+
+Interpolation interpolation_named(const std::string& name) {
+  if (name == "simultaneous-reduction") return Interpolation::simultaneous_reduction;
+  return name == "log-euclidean" ? Interpolation::log_euclidean : Interpolation::linear_size;
+}
+
+/// Each preset has its own default interpolation.
+std::string default_interpolation(Preset preset) {
+  return preset == Preset::paper ? "simultaneous-reduction" : "linear-size";
+}
+
+void read_initial(TomlTable& table, Study& study) {
+  const auto file = table.text("initial");
+  const auto size = table.positive("initial_size");
+  if (file && size) table.fail("initial_size", "give either initial or initial_size, not both");
+  if (file) study.initial.file = beside(study.file, *file);
+  if (size) study.initial.size = *size;
+  if (!file && !size) study.initial.file = study.domain_mesh;
+}
+
+void read_mesh(TomlTable& root, Study& study) {
+  static const toml::table kEmpty;
+  TomlTable table = root.table("mesh").value_or(TomlTable(kEmpty, "mesh", study.file.string()));
+  read_initial(table, study);
+  refuse_quadrilaterals(table);
+  study.preset =
+      table.choice("preset", {"best", "paper"}, "best") == "paper" ? Preset::paper : Preset::best;
+  study.interpolation = interpolation_named(
+      table.choice("interpolation", {"linear-size", "simultaneous-reduction", "log-euclidean"},
+                   default_interpolation(study.preset)));
+  study.chord_height = table.positive("chord_height").value_or(0);
+  study.max_elements = table.integer("max_nodes").value_or(5'000'000);
+  table.finish();
+  if (study.initial.file.empty() && study.initial.size == 0)
+    table.fail({}, "needs an initial mesh: initial = \"FILE\" or initial_size = SIZE");
+}
+
+void read_target(TomlTable& adapt, Study& study) {
+  auto table = adapt.table("target");
+  if (!table) return;
+  study.target.error = table->positive("error");
+  study.target.nodes = table->integer("nodes");
+  if (study.target.nodes == Index{0}) table->fail("nodes", "must be positive");
+  table->finish();
+}
+
+void read_limits(TomlTable& adapt, Study& study) {
+  auto table = adapt.table("limits");
+  if (!table) return;
+  MetricLimits& limits = study.limits;
+  limits.hmin = table->positive("hmin").value_or(limits.hmin);
+  limits.hmax = table->positive("hmax").value_or(limits.hmax);
+  limits.stretch = table->positive("stretch").value_or(limits.stretch);
+  study.gradation = table->positive("gradation").value_or(0);
+  if (limits.hmin > limits.hmax)
+    table->fail("hmin", fmt::format("{} is larger than hmax = {}", limits.hmin, limits.hmax));
+  if (limits.stretch < 1) table->fail("stretch", "is a ratio of sizes and must be at least 1");
+  if (study.gradation > 0 && study.gradation <= 1)
+    table->fail("gradation", "is a ratio of sizes and must be larger than 1");
+  table->finish();
+}
+
+void read_adapt(TomlTable& root, Study& study) {
+  auto table = root.table("adapt");
+  if (!table) return;
+  study.cycles = table->integer("cycles").value_or(study.cycles);
+  if (study.cycles > 1000) table->fail("cycles", "more than 1000 cycles");
+  const std::string mode = table->choice("mode", {"anisotropic", "isotropic"}, "anisotropic");
+  study.mode = mode == "isotropic" ? AdaptMode::isotropic : AdaptMode::anisotropic;
+  read_target(*table, study);
+  read_limits(*table, study);
+  table->finish();
+}
+
+std::vector<BoundaryValue> read_boundary(TomlTable& problem) {
+  std::vector<BoundaryValue> values;
+  auto table = problem.table("boundary");
+  if (!table) return values;
+  for (const std::string& curve : table->keys()) {
+    TomlTable entry = table->required(table->table(curve), curve);
+    values.push_back({curve, entry.required(entry.expression("value"), "value"), entry.place()});
+    entry.finish();
+  }
+  return values;
+}
+
+void read_problem(TomlTable& root, Study& study) {
+  auto table = root.table("problem");
+  if (!table) return;
+  if (table->choice("kind", {"poisson", "mindlin"}, "poisson") == "mindlin")
+    table->fail("kind", "plates arrive in a later version; this one solves \"poisson\"");
+  ScalarProblemText problem;
+  problem.diffusion = table->positive("diffusion").value_or(1);
+  problem.reaction = table->number("reaction").value_or(0);
+  if (problem.reaction < 0) table->fail("reaction", "must not be negative");
+  problem.source = table->expression("source");
+  problem.exact = table->text("exact").value_or("");
+  problem.boundary = read_boundary(*table);
+  table->finish();
+  study.problem = problem;
+}
+
+void read_output(TomlTable& root, Study& study) {
+  study.formats = {"msh"};
+  auto table = root.table("output");
+  if (!table) return;
+  if (table->has("formats")) study.formats = table->texts("formats");
+  const std::vector<std::string> known{"msh", "vtu", "svg", "mesh"};
+  for (const std::string& format : study.formats)
+    if (std::find(known.begin(), known.end(), format) == known.end())
+      table->fail("formats",
+                  fmt::format("unknown format \"{}\"; known: msh, vtu, svg, mesh", format));
+  table->finish();
+}
+
+/// [report] paper = "13b", or paper = { isotropic = "13b", anisotropic = "13d" }.
+void read_report(TomlTable& root, Study& study) {
+  auto table = root.table("report");
+  if (!table) return;
+  const bool isotropic = study.mode == AdaptMode::isotropic;
+  if (!table->is_table("paper")) {
+    study.paper_row = table->text("paper").value_or("");
+  } else if (auto rows = table->table("paper")) {
+    const auto row1 = rows->text("isotropic"), row2 = rows->text("anisotropic");
+    study.paper_row = (isotropic ? row1 : row2).value_or("");
+    rows->finish();
+  }
+  if (!study.paper_row.empty() && paper_row(study.paper_row) == nullptr)
+    table->fail("paper", fmt::format("the paper has no row \"{}\"; known: {}", study.paper_row,
+                                     joined(paper_row_names())));
+  table->finish();
+}
+
+void check_purpose(const TomlTable& root, const Study& study) {
+  if (study.metric && study.problem)
+    root.fail("problem", "a study has either a [metric] or a [problem], not both");
+  if (!study.metric && !study.problem)
+    root.fail({}, "a study needs a [metric] table (prescribed sizes) or a [problem] table");
+  const bool has_target = study.target.nodes || study.target.error;
+  if (study.problem && (!has_target || (study.target.nodes && study.target.error)))
+    root.fail("adapt",
+              "a problem needs one of target = { nodes = 1000 } and target = { error = 0.01 }");
+  if (study.metric && has_target)
+    root.fail("adapt", "a prescribed [metric] says itself how fine the mesh is; leave target out");
+}
+
+}  // namespace
+
+Study parse_study(const toml::table& table, const fs::path& file) {
+  TomlTable root(table, {}, file.string());
+  Study study;
+  study.file = file;
+  study.title = root.text("title").value_or(file.stem().string());
+  read_domain(root, study);
+  read_mesh(root, study);
+  read_adapt(root, study);
+  if (auto metric = root.table("metric")) study.metric = parse_metric(*metric, study.mode);
+  read_problem(root, study);
+  read_output(root, study);
+  read_report(root, study);
+  root.has("vary");
+  root.finish();
+  check_purpose(root, study);
+  return study;
+}
+
+}  // namespace anisofront

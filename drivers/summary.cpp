@@ -1,0 +1,141 @@
+#include "drivers/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "drivers/paper_table.hpp"
+
+namespace anisofront {
+namespace {
+
+const std::vector<std::string> kColumns{"against", "NN",    "NE",          "ND",
+                                        "NB",      "mean",  "min",         "0.5-1.5 %",
+                                        "l_min",   "l_max", "unit band %", "error"};
+
+std::string number(const Json& value, const char* format) {
+  return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "-";
+}
+
+std::string count(const Json& value) { return std::to_string(value.get<std::int64_t>()); }
+
+std::string error_text(const Json& error) {
+  if (error["relative_energy"].is_number()) return number(error["relative_energy"], "{:.3e}");
+  if (error["estimate"].is_number()) return "~" + number(error["estimate"], "{:.3e}");
+  return "-";
+}
+
+/// Percentages are cut, not rounded: "100.00" means all.
+std::string percent(const Json& value) {
+  constexpr double kRounding = 1e-6;
+  if (!value.is_number()) return "-";
+  return fmt::format("{:.2f}", std::floor(100 * value.get<double>() + kRounding) / 100);
+}
+
+std::vector<std::string> statistics_cells(const Json& cycle, const Json& statistics) {
+  const Json& length = statistics["edge_length"];
+  return {statistics["quality"]["against"].get<std::string>(),
+          count(cycle["vertices"]),
+          count(cycle["elements"]),
+          count(cycle["edges"]),
+          count(cycle["boundary_edges"]),
+          number(statistics["quality"]["mean"], "{:.3f}"),
+          number(statistics["quality"]["min"], "{:.3f}"),
+          percent(length["in_0.5_1.5"]),
+          number(length["min"], "{:.3f}"),
+          number(length["max"], "{:.3f}"),
+          percent(length["in_unit_band"]),
+          error_text(cycle["error"])};
+}
+
+std::vector<std::string> paper_cells(const PaperRow& row) {
+  const bool quads = row.type[3] == 'Q';
+  const int boundary_edges = 2 * row.edges - (quads ? 4 : 3) * row.elements;
+  return {"paper",
+          std::to_string(row.vertices),
+          std::to_string(row.elements),
+          std::to_string(row.edges),
+          std::to_string(boundary_edges),
+          fmt::format("{:.3f}", row.quality_mean),
+          fmt::format("{:.3f}", row.quality_min),
+          fmt::format("{:.2f}", row.percent_half),
+          fmt::format("{:.2f}", row.length_min),
+          fmt::format("{:.2f}", row.length_max),
+          "-",
+          "-"};
+}
+
+void add_row(TextTable& table, std::string name, std::vector<std::string> cells, bool reference) {
+  cells.insert(cells.begin(), std::move(name));
+  table.rows.push_back(std::move(cells));
+  table.is_reference.push_back(reference);
+}
+
+void add_cycle(TextTable& table, const std::string& name, const Json& cycle) {
+  add_row(table, name, statistics_cells(cycle, cycle), false);
+  if (cycle["quality"]["against"] == "exact")
+    add_row(table, "", statistics_cells(cycle, cycle["background"]), false);
+}
+
+TextTable empty_table(const std::string& first_column) {
+  TextTable table;
+  table.header = kColumns;
+  table.header.insert(table.header.begin(), first_column);
+  return table;
+}
+
+std::vector<std::size_t> column_widths(const TextTable& table) {
+  std::vector<std::size_t> widths;
+  for (const std::string& title : table.header) widths.push_back(title.size());
+  for (const auto& row : table.rows)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  return widths;
+}
+
+std::string line(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths) {
+  std::string text;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    text += i < 2 ? fmt::format("{:<{}}  ", cells[i], widths[i])
+                  : fmt::format("{:>{}}  ", cells[i], widths[i]);
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text + '\n';
+}
+
+}  // namespace
+
+TextTable summary_table(const Json& history) {
+  TextTable table = empty_table("variant");
+  for (const Json& variant : history["variants"]) {
+    const std::string name = variant["name"];
+    if (variant["cycles"].empty()) {
+      std::vector<std::string> cells(kColumns.size(), "-");
+      cells.front() = variant["stop_reason"];
+      add_row(table, name, std::move(cells), false);
+      continue;
+    }
+    add_cycle(table, name, variant["cycles"].back());
+    const std::string row_name = variant["settings"].value("report.paper", std::string());
+    if (const PaperRow* row = paper_row(row_name))
+      add_row(table, fmt::format("  (Fig. {})", row->name), paper_cells(*row), true);
+  }
+  return table;
+}
+
+TextTable cycle_table(const Json& variant) {
+  TextTable table = empty_table("cycle");
+  for (const Json& cycle : variant["cycles"]) add_cycle(table, count(cycle["cycle"]), cycle);
+  return table;
+}
+
+std::string as_text(const TextTable& table) {
+  const std::vector<std::size_t> widths = column_widths(table);
+  std::string text = line(table.header, widths);
+  std::vector<std::string> rule;
+  for (const std::size_t width : widths) rule.emplace_back(width, '-');
+  text += line(rule, widths);
+  for (const auto& row : table.rows) text += line(row, widths);
+  return text;
+}
+
+}  // namespace anisofront

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+
+#include "mesher/enhance/enhance.hpp"
+#include "mesher/front/advance.hpp"
+#include "mesher/front/boundary.hpp"
+#include "mesher/geometry/domain.hpp"
+#include "mesher/geometry/monitor.hpp"
+#include "mesher/mesh/mesh.hpp"
+#include "mesher/metric/metric_field.hpp"
+
+namespace anisofront {
+
+/// paper: the paper to the letter with the corrections of its errata; best: what measured best.
+enum class Preset { best, paper };
+
+struct GenerateOptions {
+  Preset preset = Preset::best;
+  Interpolation interpolation = Interpolation::linear_size;
+  BoundaryOptions boundary;
+  FrontOptions front;
+  EnhanceOptions enhance;
+  /// Refuse (BudgetError with the estimate) when the metric asks for more elements than this.
+  std::int64_t max_elements = 5'000'000;
+  /// Largest ratio of sizes over a unit of metric length; <= 1: leave the metric as it is.
+  double gradation = 0;
+};
+
+/// Options of a preset; every field may be changed afterwards.
+GenerateOptions generate_options(Preset preset);
+
+/// CPU seconds of the phases.
+struct PhaseSeconds {
+  double background = 0, boundary = 0, front = 0, enhance = 0, verify = 0;
+};
+
+struct GenerateResult {
+  Mesh mesh;
+  MetricField metric;  ///< the background metric at the vertices of `mesh`
+  PhaseSeconds seconds;
+  FrontStatistics front;
+  EnhanceStatistics enhance;
+};
+
+/// The next mesh: boundary curves of `domain` cut into unit edges, the inside filled by the
+/// advancing front, improved, verified. `background` carries one metric per vertex (`field`); its
+/// edges name the curves of `domain` (see attach_to_domain). Groups, tags, regions, embedded curves
+/// and required points are kept.
+/// Throws InputError (bad metric or domain, with the place), BudgetError, MeshingError,
+/// Interrupted. Deterministic: equal input gives equal bits.
+GenerateResult generate(const Domain& domain, const Mesh& background, const MetricField& field,
+                        const GenerateOptions& options, const Monitor& monitor = {});
+
+}  // namespace anisofront

@@ -1,0 +1,173 @@
+#include "adapt/loop.hpp"
+
+#include <doctest/doctest.h>
+
+#include "adapt/problem.hpp"
+#include "mesher/geometry/error.hpp"
+#include "mesher/mesh/boundary_domain.hpp"
+#include "tests/solver/square_mesh.hpp"
+
+using namespace anisofront;
+using namespace anisofront::test;
+
+namespace {
+
+/// A mesher for uniform metrics on the unit square: a grid of the size at the first vertex.
+GenerateResult make_grid(const Domain&, const Mesh&, const MetricField& field,
+                         const GenerateOptions&, const Monitor&) {
+  GenerateResult result;
+  result.mesh = square_mesh(static_cast<Index>(std::lround(std::sqrt(field[0].m11))));
+  result.seconds = {1, 2, 3, 4, 5};
+  return result;
+}
+
+/// Asks for a grid of 4, 8, 12 ... cells and notes the mesh numbers it was called with.
+Analyse growing_grid(std::vector<int>& calls) {
+  return [&calls](const Mesh& mesh, int cycle) {
+    calls.push_back(cycle);
+    const double n = 4. * (cycle + 1);
+    Analysis analysis;
+    analysis.metric.assign(mesh.points.size(), Metric{n * n, 0, n * n});
+    analysis.dofs = static_cast<Index>(mesh.points.size());
+    analysis.metric_seconds = 10;
+    return analysis;
+  };
+}
+
+LoopInput grid_input(Analyse analyse, int cycles) {
+  LoopInput input;
+  input.initial = square_mesh(2);
+  input.analyse = std::move(analyse);
+  input.cycles = cycles;
+  input.make_mesh = make_grid;
+  return input;
+}
+
+}  // namespace
+
+TEST_SUITE("unit") {
+  TEST_CASE("each cycle meshes with the metric of the cycle before and is analysed") {
+    std::vector<int> calls;
+    const VariantHistory history = adapt_loop(grid_input(growing_grid(calls), 3));
+    CHECK(calls == std::vector<int>{0, 1, 2, 3});
+    REQUIRE(history.cycles.size() == 4);
+    const Index vertices[] = {9, 25, 81, 169};
+    for (int k = 0; k < 4; ++k) {
+      CHECK(history.cycles[k].cycle == k);
+      CHECK(history.cycles[k].dofs == vertices[k]);
+      CHECK(history.cycles[k].background.vertices == vertices[k]);
+      CHECK_FALSE(history.cycles[k].exact.has_value());
+    }
+    CHECK(history.stop_reason == "finished after 3 cycles");
+    CHECK(history.target == TargetState::none);
+  }
+
+  TEST_CASE("lengths are measured in the background and for the initial mesh in its own metric") {
+    std::vector<int> calls;
+    const VariantHistory history = adapt_loop(grid_input(growing_grid(calls), 1));
+    // Spacing 1/2 in size 1/4, then spacing 1/4 in size 1/4.
+    CHECK(history.cycles[0].background.length_min == doctest::Approx(2));
+    CHECK(history.cycles[1].background.length_min == doctest::Approx(1));
+    CHECK(history.cycles[1].background.length_max == doctest::Approx(std::sqrt(2)));
+  }
+
+  TEST_CASE("an exact metric is measured beside the background") {
+    std::vector<int> calls;
+    LoopInput input = grid_input(growing_grid(calls), 1);
+    input.exact_metric = [](Point) { return Metric{64, 0, 64}; };
+    const VariantHistory history = adapt_loop(input);
+    REQUIRE(history.cycles[1].exact.has_value());
+    CHECK(history.cycles[1].exact->length_min == doctest::Approx(2));
+  }
+
+  TEST_CASE("phase times of mesher and analysis are summed into the record") {
+    std::vector<int> calls;
+    const CycleSeconds seconds = adapt_loop(grid_input(growing_grid(calls), 1)).cycles[1].seconds;
+    CHECK(seconds.metric == 1 + 10);
+    CHECK(seconds.front == 2 + 3);
+    CHECK(seconds.enhance == 4 + 5);
+  }
+
+  TEST_CASE("the loop stops at the mesh that reaches the target") {
+    std::vector<int> calls;
+    const Analyse grid = growing_grid(calls);
+    LoopInput input = grid_input(
+        [&](const Mesh& mesh, int cycle) {
+          Analysis analysis = grid(mesh, cycle);
+          analysis.target = cycle < 2 ? TargetState::missed : TargetState::reached;
+          return analysis;
+        },
+        5);
+    const VariantHistory history = adapt_loop(input);
+    CHECK(history.cycles.size() == 3);
+    CHECK(history.target == TargetState::reached);
+    input.cycles = 1;
+    CHECK(adapt_loop(input).target == TargetState::missed);
+  }
+
+  TEST_CASE("warnings of an analysis reach the record and the monitor") {
+    std::vector<std::string> heard;
+    Monitor monitor;
+    monitor.warn = [&](const std::string& message) { heard.push_back(message); };
+    const LoopInput input = grid_input(
+        [](const Mesh& mesh, int) {
+          Analysis analysis;
+          analysis.metric.assign(mesh.points.size(), Metric{4, 0, 4});
+          analysis.warnings = {"too coarse"};
+          return analysis;
+        },
+        1);
+    CHECK(adapt_loop(input, monitor).cycles[1].warnings == std::vector<std::string>{"too coarse"});
+    CHECK(heard == std::vector<std::string>{"too coarse", "too coarse"});
+  }
+
+  TEST_CASE("the user can stop the loop between two cycles") {
+    std::vector<int> calls;
+    Monitor monitor;
+    monitor.progress = [](std::string_view, double fraction) { return fraction < 0.5; };
+    CHECK_THROWS_AS(adapt_loop(grid_input(growing_grid(calls), 4), monitor), Interrupted);
+    CHECK(calls == std::vector<int>{0, 1, 2});
+  }
+
+  TEST_CASE("cycles that are finished when the mesher fails have been handed out") {
+    std::vector<int> calls, finished;
+    LoopInput input = grid_input(growing_grid(calls), 5);
+    input.make_mesh = [](const Domain& domain, const Mesh& mesh, const MetricField& field,
+                         const GenerateOptions& options, const Monitor& monitor) {
+      if (mesh.points.size() > 9) throw MeshingError("no mesh");
+      return make_grid(domain, mesh, field, options, monitor);
+    };
+    input.finished = [&](const CycleRecord& record, const Mesh& mesh, const Analysis& analysis) {
+      CHECK(analysis.metric.size() == mesh.points.size());
+      finished.push_back(record.cycle);
+    };
+    CHECK_THROWS_AS(adapt_loop(input), MeshingError);
+    CHECK(finished == std::vector<int>{0, 1});
+  }
+}
+
+TEST_SUITE("convergence") {
+  TEST_CASE("five cycles resolve the layer with few vertices") {
+    // FE.md: FreeFem++ needs 1460 vertices for 6.2e-3.
+    const ExactSolution exact = product_layer(1e-4, 1);
+    ScalarProblem problem{1e-4, 1, exact.source, {}};
+    for (const Index side : {kBottom, kRight, kTop, kLeft})
+      problem.dirichlet.push_back({side, [](Point) { return 0.; }});
+    AdaptSettings settings;
+    settings.target_vertices = 1500;
+    settings.limits.gradation = 2;
+    LoopInput input;
+    input.initial = square_mesh(16);
+    const Point corners[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    const char* names[] = {"bottom", "right", "top", "left"};
+    for (Index k = 0; k < 4; ++k)
+      input.domain.curves.push_back({names[k], k + 1, make_line(corners[k], corners[(k + 1) % 4])});
+    add_region(input.domain, "square", 1, {0, 1, 2, 3}, {});
+    attach_to_domain(input.initial, input.domain);
+    input.analyse = analyse_scalar(problem, exact, settings);
+    const CycleRecord last = adapt_loop(input).cycles.back();
+    CHECK(last.dofs <= 2000);
+    CHECK(*last.error.relative_energy <= 6.5e-3);
+    CHECK(*last.error.effectivity == doctest::Approx(1).epsilon(0.1));
+  }
+}

@@ -1,0 +1,13 @@
+SetFactory("Built-in");
+Point(1)={0,0,0,.5};Point(2)={1,0,0,.5};Point(3)={1,1,0,.5};Point(4)={0,1,0,.5};
+Point(5)={2,0,0,.5};Point(6)={2,1,0,.5};Point(7)={.3,.3,0,.3};Point(8)={.7,.6,0,.3};
+Line(1)={1,2};Line(2)={2,3};Line(3)={3,4};Line(4)={4,1};Line(5)={2,5};Line(6)={5,6};Line(7)={6,3};Line(8)={7,8};
+Curve Loop(1)={1,2,3,4};Plane Surface(1)={1};
+Curve Loop(2)={5,6,7,-2};Plane Surface(2)={2};
+Line{8} In Surface{1};
+Physical Point("the corner",9)={1};
+Physical Curve("outer wall",10)={1,3,4,5,6,7};
+Physical Curve("inner crack",11)={8};
+Physical Curve("interface",12)={2};
+Physical Surface("left part",1)={1};
+Physical Surface("right part",2)={2};

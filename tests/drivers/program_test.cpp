@@ -1,0 +1,227 @@
+#include "drivers/program.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <sstream>
+
+#include <doctest/doctest.h>
+
+#include "drivers/html.hpp"
+#include "drivers/run_study.hpp"
+#include "drivers/text.hpp"
+#include "tests/drivers/temporary_folder.hpp"
+
+using namespace anisofront;
+using namespace anisofront::testing;
+
+namespace {
+
+struct Result {
+  int code;
+  std::string out, err;
+};
+
+Result call(std::vector<std::string> words) {
+  words.insert(words.begin(), "anisofront");
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  std::ostringstream out, err;
+  const int code = run_program(static_cast<int>(arguments.size()), arguments.data(), out, err);
+  return {code, out.str(), err.str()};
+}
+
+Json read_json(const std::filesystem::path& path) { return Json::parse(read_text_file(path)); }
+
+/// The history without times.
+Json timeless(Json history) {
+  for (Json& variant : history["variants"])
+    for (Json& cycle : variant["cycles"]) cycle.erase("seconds");
+  return history;
+}
+
+const std::string kSquareMesh =
+    "MeshVersionFormatted 2\nDimension 2\nVertices\n4\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+    "Edges\n4\n1 2 7\n2 3 8\n3 4 7\n4 1 8\nTriangles\n2\n1 2 3 5\n1 3 4 5\nEnd\n";
+
+}  // namespace
+
+TEST_SUITE_BEGIN("unit");
+
+TEST_CASE("help and version are successes") {
+  CHECK(call({"--version"}).code == 0);
+  CHECK(has(call({"--version"}).out, "anisofront"));
+  for (const char* command : {"run", "mesh", "check", "convert", "report"}) {
+    const Result help = call({command, "--help"});
+    CHECK(help.code == 0);
+    CHECK(has(help.out, "Example"));
+  }
+}
+
+TEST_CASE("mistakes on the command line are code 3 and propose the nearest name") {
+  CHECK(call({}).code == 3);
+  const Result option = call({"check", "a.msh", "--metrc", "b.sol"});
+  CHECK(option.code == 3);
+  CHECK(has(option.err, "did you mean \"--metric\"?"));
+  CHECK(has(call({"chekc", "a.msh"}).err, "did you mean \"check\"?"));
+  CHECK(call({"run", "missing.toml"}).code == 3);
+  CHECK(call({"check", "missing.msh"}).code == 3);
+  CHECK(call({"convert", "a.msh", "b.xyz"}).code == 3);
+  CHECK(call({"report", "/nowhere"}).code == 3);
+}
+
+TEST_CASE("bad files are code 4 and leave nothing behind") {
+  const TemporaryFolder folder;
+  const auto mesh =
+      folder.write("bad.mesh", "MeshVersionFormatted 2\nDimension 2\nVertices\n3\n0 0");
+  const auto out = folder.path() / "out.mesh";
+  CHECK(call({"mesh", mesh.string(), "--size", "1", "-o", out.string()}).code == 4);
+  CHECK_FALSE(std::filesystem::exists(out));
+  const auto study = folder.write("s.toml", kTinyStudy);
+  const auto results = folder.path() / "r";
+  const Result bad = call({"run", study.string(), "-o", results.string(), "--set",
+                           "metric.prescribed=[{ h1 = \"x-0.3\", h2 = \"1\" }]"});
+  CHECK(bad.code == 4);
+  CHECK(has(bad.err, "it must be positive and finite"));
+  CHECK_FALSE(std::filesystem::exists(results));
+}
+
+TEST_CASE("a study with an unknown key is code 3") {
+  const TemporaryFolder folder;
+  const auto study = folder.write("s.toml", std::string(kTinyStudy) + "cicles = 3\n");
+  const Result result = call({"run", study.string()});
+  CHECK(result.code == 3);
+  CHECK(has(result.err, "s.toml:11:1: unknown key \"adapt.cicles\"; did you mean \"cycles\"?"));
+}
+
+TEST_CASE("a metric beyond the budget is code 5") {
+  const TemporaryFolder folder;
+  const auto mesh = folder.write("square.mesh", kSquareMesh);
+  CHECK(call({"mesh", mesh.string(), "--size", "0.01", "--max-nodes", "100", "-o",
+              (folder.path() / "o.mesh").string()})
+            .code == 5);
+}
+
+TEST_CASE("mesh keeps references and finds the metric beside the mesh") {
+  const TemporaryFolder folder;
+  const auto mesh = folder.write("square.mesh", kSquareMesh);
+  const auto out = (folder.path() / "out.mesh").string();
+  CHECK(call({"mesh", mesh.string(), "-o", out}).code == 3);  // no size, no metric
+  folder.write("square.sol",
+               "MeshVersionFormatted 2\nDimension 2\nSolAtVertices\n4\n1 1\n.2\n.2\n.2\n.2\nEnd\n");
+  const Result made = call({"mesh", mesh.string(), "-o", out, "--write-metric"});
+  CHECK(made.code == 0);
+  CHECK(has(made.out, "metric from"));
+  const Json found = Json::parse(
+      call({"check", out, "--metric", (folder.path() / "out.sol").string(), "--json"}).out);
+  CHECK(found["valid"] == true);
+  CHECK(found["area"].get<double>() == doctest::Approx(1));
+  CHECK(found["boundary_edges"] == 20);  // sides of length 1, edges of length 0.2
+  CHECK(found["edge_length"]["in_0.5_1.5"].get<double>() == doctest::Approx(100));
+  CHECK(has(read_text_file(out), "\nEdges\n20\n"));
+}
+
+TEST_CASE("check is code 4 for a mesh that is not valid") {
+  const TemporaryFolder folder;
+  // Two triangles that overlap: vertex 4 lies on the same side of the shared edge as vertex 3.
+  const auto mesh = folder.write("overlap.mesh",
+                                 "MeshVersionFormatted 2\nDimension 2\nVertices\n4\n0 0 1\n1 0 1\n"
+                                 "0 1 1\n1 1 1\nTriangles\n2\n1 2 3 1\n1 2 4 1\nEnd\n");
+  const Result result = call({"check", mesh.string(), "--json"});
+  CHECK(result.code == 4);
+  CHECK(Json::parse(result.out)["valid"] == false);
+}
+
+TEST_CASE("convert carries meshes through all formats") {
+  const TemporaryFolder folder;
+  const auto first = folder.write("a.mesh", kSquareMesh);
+  const auto msh = (folder.path() / "b.msh").string(), back = (folder.path() / "c.mesh").string();
+  CHECK(call({"convert", first.string(), msh, "--format", "2.2", "--binary"}).code == 0);
+  CHECK(call({"convert", msh, back}).code == 0);
+  const Json found = Json::parse(call({"check", back, "--json"}).out);
+  CHECK(found["triangles"] == 2);
+  CHECK(found["boundary_edges"] == 4);
+  CHECK(call({"convert", msh, (folder.path() / "d.vtu").string()}).code == 0);
+}
+
+TEST_CASE("a run leaves meshes history figures and a page") {
+  const TemporaryFolder folder;
+  const auto study = folder.write("tiny.toml", kTinyStudy);
+  const auto dir = folder.path() / "r";
+  const Result result = call({"run", study.string(), "-o", dir.string(), "--set",
+                              "output.formats=[\"msh\", \"vtu\", \"svg\", \"mesh\"]"});
+  CHECK(result.code == 0);
+  CHECK(has(result.out, "results in"));
+  for (const char* file :
+       {"study.toml", "history.json", "history.csv", "report.html", "main/cycle-0.msh",
+        "main/cycle-2.msh", "main/cycle-2.vtu", "main/cycle-2.svg", "main/cycle-2.mesh",
+        "main/cycle-2.sol", "main/cycles.pvd", "figures/main-mesh.svg",
+        "figures/main-edge-lengths.dat", "figures/main-edge-lengths.gp"})
+    CHECK_MESSAGE(std::filesystem::exists(dir / file), file);
+  const Json history = read_json(dir / "history.json");
+  CHECK(history["variants"][0]["cycles"].size() == 3);
+  // The resolved study runs again, from where it lies, to the same result.
+  const auto again = folder.path() / "again";
+  CHECK(call({"run", (dir / "study.toml").string(), "-o", again.string()}).code == 0);
+  CHECK(timeless(read_json(again / "history.json")) == timeless(history));
+  CHECK(call({"report", dir.string()}).code == 0);
+}
+
+TEST_CASE("variants side by side give the same results") {
+  const TemporaryFolder folder;
+  const auto study = folder.write("t.toml", std::string(kTinyStudy) +
+                                                "[vary]\n\"mesh.preset\" = [\"best\", \"paper\"]\n"
+                                                "\"adapt.limits.hmax\" = [0.25, 1]\n");
+  const auto one = folder.path() / "one", two = folder.path() / "two";
+  CHECK(call({"run", study.string(), "-q", "-o", one.string()}).code == 0);
+  CHECK(call({"run", study.string(), "-q", "-j", "2", "-o", two.string()}).code == 0);
+  CHECK(timeless(read_json(one / "history.json")) == timeless(read_json(two / "history.json")));
+  for (const char* variant : {"best-0.25", "best-1", "paper-0.25", "paper-1"}) {
+    const auto mesh = std::filesystem::path(variant) / "cycle-2.msh";
+    CHECK(read_text_file(one / mesh) == read_text_file(two / mesh));
+  }
+}
+
+TEST_CASE("a missed target is code 1 with a valid result") {
+  const TemporaryFolder folder;
+  const auto dir = folder.path() / "r";
+  const Result result = call({"run", ANISOFRONT_DATA "/studies/reaction-diffusion-layer.toml", "-o",
+                              dir.string(), "--set", "adapt.target={error=1e-6}", "--set",
+                              "adapt.cycles=0", "--set", "adapt.mode=anisotropic"});
+  CHECK(result.code == 1);
+  CHECK(std::filesystem::exists(dir / "history.json"));
+}
+
+TEST_CASE("an interrupted run keeps the finished cycles and is code 130") {
+  const TemporaryFolder folder;
+  const StudyFile study = read_study_file(folder.write("t.toml", kTinyStudy));
+  RunOptions options;
+  options.directory = folder.path() / "r";
+  options.cancelled = [&] {
+    return std::filesystem::exists(options.directory / "main/cycle-1.msh");
+  };
+  std::ostringstream out, err;
+  Console console(out, err);
+  CHECK(run_study(study, options, console) == 130);
+  const Json history = read_json(options.directory / "history.json");
+  CHECK(history["variants"][0]["cycles"].size() == 2);
+  CHECK(history["variants"][0]["stop_reason"] == "interrupted");
+  CHECK_FALSE(std::filesystem::exists(options.directory / "main/cycle-2.msh"));
+}
+
+TEST_CASE("Ctrl-C raises the flag instead of ending the program") {
+  const InterruptGuard guard;
+  CHECK_FALSE(InterruptGuard::requested());
+  std::raise(SIGINT);
+  CHECK(InterruptGuard::requested());
+}
+
+TEST_CASE("base64 agrees with the vectors of RFC 4648") {
+  CHECK(base64("") == "");
+  CHECK(base64("f") == "Zg==");
+  CHECK(base64("fo") == "Zm8=");
+  CHECK(base64("foo") == "Zm9v");
+  CHECK(base64("foobar") == "Zm9vYmFy");
+  CHECK(html_text("a<b & \"c\"") == "a&lt;b &amp; &quot;c&quot;");
+}
+
+TEST_SUITE_END();
