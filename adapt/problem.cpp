@@ -7,6 +7,7 @@
 #include "adapt/cpu_time.hpp"
 #include "adapt/estimate.hpp"
 #include "mesher/geometry/error.hpp"
+#include "mesher/metric/gradation.hpp"
 #include "solver/norms.hpp"
 #include "solver/solve_scalar.hpp"
 
@@ -134,14 +135,15 @@ Analyse analyse_scalar(ScalarProblem problem, std::optional<ExactSolution> exact
           const Mesh& mesh, int cycle) { return analyse(mesh, problem, exact, settings, cycle); };
 }
 
-Analyse analyse_prescribed(MetricFunction metric) {
-  return [metric = std::move(metric)](const Mesh& mesh, int) {
+Analyse analyse_prescribed(MetricFunction metric, double gradation) {
+  return [metric = std::move(metric), gradation](const Mesh& mesh, int) {
     Analysis analysis;
     Stopwatch watch;
     for (const Point& p : mesh.points) {
       analysis.metric.push_back(metric(p));
       require_positive(analysis.metric.back(), p);
     }
+    if (gradation > 1) limit_gradation(mesh, analysis.metric, gradation);
     analysis.metric_seconds = watch.lap();
     return analysis;
   };

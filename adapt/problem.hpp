@@ -33,9 +33,9 @@ struct AdaptSettings {
 Analyse analyse_scalar(ScalarProblem problem, std::optional<ExactSolution> exact,
                        AdaptSettings settings);
 
-/// A prescribed metric, sampled at the vertices.
-/// The analysis throws InputError naming the place where the metric is not finite or not positive
-/// definite.
-Analyse analyse_prescribed(MetricFunction metric);
+/// A prescribed metric, sampled at the vertices; `gradation` > 1 limits how fast the samples may
+/// change (limit_gradation), which a metric that jumps or turns within an edge needs. The analysis
+/// throws InputError naming the place where the metric is not finite or not positive definite.
+Analyse analyse_prescribed(MetricFunction metric, double gradation = 0);
 
 }  // namespace anisofront

@@ -7,6 +7,7 @@
 #include "drivers/prescribed_metric.hpp"
 #include "drivers/text.hpp"
 #include "mesher/io/mesh_io.hpp"
+#include "mesher/mesh/check.hpp"
 
 namespace anisofront {
 namespace {
@@ -64,14 +65,17 @@ AdaptSettings adapt_settings(const Study& study) {
   if (study.target.nodes) settings.target_vertices = *study.target.nodes;
   settings.target_error = study.target.error;
   settings.limits = study.limits;
+  settings.limits.gradation = study.gradation;
   return settings;
 }
 
 void set_purpose(const Study& study, LoopInput& input) {
   if (study.metric) {
-    // One copy to sample, one for the statistics: the same compiled expressions.
+    // One copy to sample, one for the statistics: the same compiled expressions. The paper takes
+    // the metric as it is.
     input.exact_metric = prescribed_metric(*study.metric, input.domain, study.limits);
-    input.analyse = analyse_prescribed(input.exact_metric);
+    input.analyse =
+        analyse_prescribed(input.exact_metric, study.preset == Preset::paper ? 0 : study.gradation);
     return;
   }
   const auto exact = known_solution(*study.problem);
@@ -99,16 +103,22 @@ Mesh uniform_mesh(const Domain& domain, double size, const GenerateOptions& opti
   return generate(domain, box, field, uniform, monitor).mesh;
 }
 
+Mesh usable_mesh(const std::filesystem::path& file, const Monitor& monitor) {
+  Mesh mesh = read_mesh_file(file, monitor).mesh;
+  require_usable(mesh, file.string());
+  return mesh;
+}
+
 Start study_start(const Study& study, const Monitor& monitor) {
   Start start{study.domain, {}};
   if (!study.domain_mesh.empty()) {
-    start.mesh = read_mesh_file(study.domain_mesh, monitor).mesh;
+    start.mesh = usable_mesh(study.domain_mesh, monitor);
     start.domain = domain_from_mesh(start.mesh, study.domain_options);
   }
   if (study.initial.file.empty()) {
     start.mesh = uniform_mesh(start.domain, study.initial.size, study_options(study), monitor);
   } else if (study.initial.file != study.domain_mesh) {
-    start.mesh = read_mesh_file(study.initial.file, monitor).mesh;
+    start.mesh = usable_mesh(study.initial.file, monitor);
     attach_to_domain(start.mesh, start.domain);
   }
   return start;
@@ -121,6 +131,7 @@ LoopInput loop_input(const Study& study, const Monitor& monitor) {
   input.initial = std::move(start.mesh);
   input.cycles = study.cycles;
   input.generate = study_options(study);
+  input.generate.gradation = 0;  // the analysis limits the metric, so that the history sees it
   set_purpose(study, input);
   return input;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+
 #include "adapt/loop.hpp"
 #include "drivers/study.hpp"
 
@@ -8,6 +10,9 @@ namespace anisofront {
 /// Everything a study says, ready for adapt_loop(): reads or makes the initial mesh, compiles the
 /// expressions. `finished` stays empty. Throws UsageError, InputError and what generate() throws.
 LoopInput loop_input(const Study& study, const Monitor& monitor = {});
+
+/// A mesh file whose mesh can be remeshed (require_usable).
+Mesh usable_mesh(const std::filesystem::path& file, const Monitor& monitor = {});
 
 /// Domain and initial mesh of a study, the mesh attached to the domain.
 struct Start {

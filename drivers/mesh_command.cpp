@@ -78,7 +78,7 @@ Source source_from_study(const MeshArguments& arguments, Console& console) {
 Source source_from_mesh(const MeshArguments& arguments, Console& console) {
   Source source;
   source.options = generate_options(Preset::best);
-  source.background = read_mesh_file(arguments.input, console.monitor("read")).mesh;
+  source.background = usable_mesh(arguments.input, console.monitor("read"));
   source.field = metric_on(source.background, arguments, console);
   if (!arguments.domain.empty()) {
     source.domain = read_study_file(arguments.domain).variants.front().study.domain;

@@ -46,10 +46,19 @@ void apply(toml::table& root, const Override& change, const std::string& file) {
   table->insert_or_assign(parts.back(), std::move(*value.get("v")));
 }
 
+/// Erases the key and those below it: "adapt.target" takes "adapt.target.nodes" along.
+void erase_within(toml::table& vary, const std::string& key) {
+  std::vector<std::string> gone;
+  for (const auto& [name, value] : vary)
+    if (name.str() == key || name.str().substr(0, key.size() + 1) == key + ".")
+      gone.emplace_back(name.str());
+  for (const std::string& name : gone) vary.erase(name);
+}
+
 /// A value from the command line holds in all variants: its key varies no longer.
 void stop_varying(toml::table& root, const std::vector<Override>& overrides) {
   if (toml::table* vary = root.get_as<toml::table>("vary"))
-    for (const Override& change : overrides) vary->erase(change.key);
+    for (const Override& change : overrides) erase_within(*vary, change.key);
 }
 
 toml::table parse_with(const std::string& text, const std::string& file,

@@ -257,6 +257,8 @@ BackgroundMesh::Stop BackgroundMesh::stop_near(Point& p, Index hint, double slac
     }
   }
   for (double& area : stop.areas) area = std::max(area, 0.);
+  // In a sliver all three can round to zero or below.
+  if (!(stop.areas[0] + stop.areas[1] + stop.areas[2] > 0)) stop.areas = {1, 1, 1};
   return stop;
 }
 

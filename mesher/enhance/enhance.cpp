@@ -34,11 +34,13 @@ void smooth_and_swap(Patch& patch, int sweeps, SwapCriterion criterion) {
   swap_all(patch, criterion, kGood);
 }
 
-/// Edges out of bounds go, and what that disturbs is repaired.
-void adjust_lengths(Patch& patch, const EdgeLengthOptions& options) {
+/// Edges out of bounds go, and what that disturbs is repaired. Returns whether any did.
+bool adjust_lengths(Patch& patch, const EdgeLengthOptions& options) {
+  const EnhanceStatistics before = patch.statistics;
   collapse_and_split(patch, options);
   swap_all(patch, SwapCriterion::minimum, kGood);
   smooth_and_swap(patch, 4, SwapCriterion::minimum);
+  return patch.statistics.collapses > before.collapses || patch.statistics.splits > before.splits;
 }
 
 void smooth_finely(Patch& patch) {
@@ -51,18 +53,21 @@ void smooth_finely(Patch& patch) {
 /// The order was measured (tests/bench): each stage removes most of what the one before leaves, and
 /// all but the first sweeps touch only what has changed.
 void enhance_best(Patch& patch, const EnhanceOptions& options, const Monitor& monitor) {
+  constexpr int kMostRounds = 5;
   swap_all(patch, SwapCriterion::product, kGood);
   smooth_and_swap(patch, 2, SwapCriterion::product);
   monitor.report("enhance", 0.3);
   adjust_lengths(patch, {});
   monitor.report("enhance", 0.5);
-  adjust_lengths(patch, {0.73, 1.39, 1.40, 0.55});
+  for (int round = 0; round < kMostRounds; ++round)
+    if (!adjust_lengths(patch, {0.73, 1.39, 1.40, 0.55})) break;
   monitor.report("enhance", 0.7);
   smooth_targeted(patch, 0.8, 1.36);
   swap_all(patch, SwapCriterion::minimum, 0.85);
-  for (int round = 0; round < 2; ++round) repair_worst(patch, 0.9, 1.4);
+  const bool fine = patch.mesh.triangles.size() <= options.fine_up_to;
+  for (int round = 0; round < 2; ++round) repair_worst(patch, fine ? 0.9 : 0.8, 1.4);
   monitor.report("enhance", 0.9);
-  if (patch.mesh.triangles.size() <= options.fine_up_to) smooth_finely(patch);
+  if (fine) smooth_finely(patch);
   smooth_targeted(patch, 0.8, 1.38);
   swap_all(patch, SwapCriterion::minimum, 0.85);
 }

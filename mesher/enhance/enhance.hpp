@@ -9,8 +9,8 @@ struct EnhanceOptions {
   /// true: swapping, three cycles of length and three of quality smoothing (the paper); false: the
   /// faster chain with collapses, splits and targeted smoothing.
   bool paper = false;
-  /// Meshes up to this many triangles get further fine smoothing sweeps: half of the time for the
-  /// last percent of quality, which a user waits for gladly only where the time is short.
+  /// Meshes up to this many triangles get more repairs and finer smoothing: half of the time for
+  /// the last percent of quality, which a user waits for gladly only where the time is short.
   std::size_t fine_up_to = 60000;
 };
 

@@ -1,6 +1,7 @@
 #include "mesher/front/boundary.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <string>
 
@@ -36,7 +37,7 @@ class Discretiser {
     for (const Point p : frame_.vertices) add_vertex(p);
     boundary_.point_vertices = frame_.point_vertices;
     collect_old_edges();
-    for (const CurvePiece& piece : frame_.pieces) cut(piece);
+    for (const CurvePiece& piece : frame_.pieces) cut(piece, profile_of(piece));
     if (options_.chord_height > 0) limit_chord_height();
     resolve_conflicts();
     warn_about_gaps();
@@ -89,17 +90,16 @@ class Discretiser {
     return edges;
   }
 
-  std::vector<double> cut_parameters(const CurvePiece& piece) {
-    const Index least = piece.start == piece.end ? 3 : 1;  // a closed curve needs three edges
+  CurveProfile profile_of(const CurvePiece& piece) {
     const std::vector<CurveEdge> old_edges = old_edges_of(piece);
-    if (!old_edges.empty()) {
-      const CurveProfile profile = measure_old_segments(background_, old_mesh_, old_edges, hint_);
-      return equal_parts(profile, std::max(segment_count(profile.total()), least));
-    }
-    const CurveProfile profile =
-        sample_curve(background_, curve(piece.curve), piece.t0, piece.t1, options_.sample_length,
-                     static_cast<double>(max_segments_), hint_);
-    if (is_straight(curve(piece.curve)))
+    if (!old_edges.empty()) return measure_old_segments(background_, old_mesh_, old_edges, hint_);
+    return sample_curve(background_, curve(piece.curve), piece.t0, piece.t1, options_.sample_length,
+                        static_cast<double>(max_segments_), hint_);
+  }
+
+  std::vector<double> cut_parameters(const CurvePiece& piece, const CurveProfile& profile) {
+    const Index least = piece.start == piece.end ? 3 : 1;  // a closed curve needs three edges
+    if (options_.over_old_segments || is_straight(curve(piece.curve)))
       return equal_parts(profile, std::max(segment_count(profile.total()), least));
     return equal_chords(background_, curve(piece.curve), profile, least, hint_);
   }
@@ -114,8 +114,8 @@ class Discretiser {
     });
   }
 
-  void cut(const CurvePiece& piece) {
-    const std::vector<double> t = cut_parameters(piece);
+  void cut(const CurvePiece& piece, const CurveProfile& profile) {
+    const std::vector<double> t = cut_parameters(piece, profile);
     Index from = piece.start;
     for (std::size_t k = 1; k < t.size(); ++k) {
       const bool last = k + 1 == t.size();

@@ -336,12 +336,30 @@ MeshReport check_mesh(const Mesh& mesh) {
   return report;
 }
 
+namespace {
+
+std::string message_of(std::string message, const MeshReport& report) {
+  for (const std::string& defect : report.defects) message += "\n  " + defect;
+  return message;
+}
+
+}  // namespace
+
 void require_valid(const Mesh& mesh) {
   const MeshReport report = check_mesh(mesh);
-  if (report.valid()) return;
-  std::string message = "the mesh is not valid:";
-  for (const std::string& defect : report.defects) message += "\n  " + defect;
-  throw MeshingError(message);
+  if (!report.valid()) throw MeshingError(message_of("the mesh is not valid:", report));
+}
+
+void require_usable(const Mesh& mesh, const std::string& name) {
+  MeshReport report;
+  check_coordinates(mesh, report);
+  check_ranges(mesh, report);
+  const bool readable = report.defects.empty();
+  check_sizes(mesh, report);
+  if (readable) check_orientation(mesh, report);
+  if (readable) check_duplicates(mesh, report);
+  if (!report.valid())
+    throw InputError(message_of(name + ": the mesh cannot be used, mend it first:", report));
 }
 
 }  // namespace anisofront

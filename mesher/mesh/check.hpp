@@ -33,4 +33,10 @@ MeshReport check_mesh(const Mesh& mesh);
 /// Throws MeshingError with the defects when the mesh is not valid.
 void require_valid(const Mesh& mesh);
 
+/// For meshes that come from outside and are to be remeshed: throws InputError, beginning with the
+/// name, for coordinates, vertex numbers, orientations and duplicate vertices that are wrong.
+/// Unused vertices and missing curve edges do no harm there; edges of more than two elements are
+/// found where neighbours are derived.
+void require_usable(const Mesh& mesh, const std::string& name);
+
 }  // namespace anisofront

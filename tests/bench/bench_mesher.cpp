@@ -1,5 +1,5 @@
 /// Every phase of the mesher on its own, in CPU time: <phase>/<case>/<triangles>.
-/// bench_mesher --benchmark_filter=front/.*/100000
+/// bench_mesher --benchmark_filter='front/.*/100000/'
 #include <filesystem>
 #include <optional>
 #include <string>

@@ -29,7 +29,8 @@ inline Index add_curve(Domain& domain, const std::string& name, Index tag, Nurbs
   return static_cast<Index>(domain.curves.size()) - 1;
 }
 
-/// [0, side]^2 with curves side1 to side4 (tags 1 to 4) from the bottom on, region "domain" (tag 5).
+/// [0, side]^2 with curves side1 to side4 (tags 1 to 4) from the bottom on, region "domain" (tag
+/// 5).
 inline Domain square_domain(double side) {
   Domain domain;
   const Point p[4] = {{0, 0}, {side, 0}, {side, side}, {0, side}};

@@ -31,8 +31,7 @@ std::vector<Index> brute_force(const std::vector<Box>& boxes, const Box& box) {
 Box lattice_box(std::mt19937_64& random, int most) {
   std::uniform_int_distribution<int> corner(0, 16), extent(0, most);
   const double x = corner(random) / 16., y = corner(random) / 16.;
-  return {{x, y},
-          {std::min(1., x + extent(random) / 16.), std::min(1., y + extent(random) / 16.)}};
+  return {{x, y}, {std::min(1., x + extent(random) / 16.), std::min(1., y + extent(random) / 16.)}};
 }
 
 Box random_box(std::mt19937_64& random, double most) {

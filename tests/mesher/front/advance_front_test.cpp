@@ -1,10 +1,9 @@
-#include "mesher/front/advance.hpp"
-
 #include <array>
 #include <random>
 
 #include <doctest/doctest.h>
 
+#include "mesher/front/advance.hpp"
 #include "mesher/geometry/error.hpp"
 #include "tests/support/work_meshes.hpp"
 
@@ -73,11 +72,8 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("an interface is an edge of both regions") {
-    Domain domain = square_domain(1);
-    domain.curves.resize(4);
-    domain.regions.clear();
+    Domain domain;
     const Point p[] = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}};
-    domain.curves.clear();
     for (Index k = 0; k < 6; ++k)
       add_curve(domain, "c" + std::to_string(k), k + 1, make_line(p[k], p[(k + 1) % 6]));
     const Index interface = add_curve(domain, "interface", 9, make_line(p[1], p[4]));
@@ -129,7 +125,6 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("metrics that change wildly between look-ups leave no overlap") {
-    // Meshes of meshes with a random metric per vertex of stretch up to 1000 (a hundred vertices).
     std::mt19937_64 random(2);
     for (int i = 0; i < 30; ++i) {
       WorkCase work(square_domain(1), RandomMetric{&random, 0.1, 1000}, {0, 0}, {1, 1}, 10);
@@ -156,8 +151,8 @@ TEST_SUITE("unit") {
       last = fraction;
       return fraction < 0.4;
     };
-    CHECK_THROWS_AS(
-        advance_front(*work.background, work.mesh(), {}, work.expected(), monitor), Interrupted);
+    CHECK_THROWS_AS(advance_front(*work.background, work.mesh(), {}, work.expected(), monitor),
+                    Interrupted);
     CHECK(last >= 0.4);
   }
 }

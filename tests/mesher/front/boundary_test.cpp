@@ -113,7 +113,8 @@ TEST_SUITE("unit") {
       CHECK(s.right_region == kNoIndex);
     }
     CHECK(reached == std::array<double, 4>{1, 1, 1, 1});
-    for (Index v = 0; v < static_cast<Index>(mesh.vertices.size()); ++v) CHECK(degree(mesh, v) == 2);
+    for (Index v = 0; v < static_cast<Index>(mesh.vertices.size()); ++v)
+      CHECK(degree(mesh, v) == 2);
   }
 
   TEST_CASE("a closed curve has three edges at least") {
@@ -133,8 +134,7 @@ TEST_SUITE("unit") {
     Index hint = 0;
     double longest = 0, shortest = 1e300;
     for (const Segment& s : result.boundary.mesh.segments) {
-      const double l =
-          chord_length(*result.background, result.point(s.a), result.point(s.b), hint);
+      const double l = chord_length(*result.background, result.point(s.a), result.point(s.b), hint);
       longest = std::max(longest, l);
       shortest = std::min(shortest, l);
     }
@@ -156,9 +156,8 @@ TEST_SUITE("unit") {
 
   TEST_CASE("curves that cross are refused with their names and the place") {
     Domain domain = square_domain(1);
-    for (const auto& [name, a, b] :
-         {std::tuple{"slit", Point{0.2, 0.2}, Point{0.8, 0.7}},
-          std::tuple{"cut", Point{0.2, 0.6}, Point{0.8, 0.2}}})
+    for (const auto& [name, a, b] : {std::tuple{"slit", Point{0.2, 0.2}, Point{0.8, 0.7}},
+                                     std::tuple{"cut", Point{0.2, 0.6}, Point{0.8, 0.2}}})
       domain.regions[0].embedded_curves.push_back(add_curve(domain, name, 9, make_line(a, b)));
     // y: 0.2 + 0.5 t = 0.6 - 0.4 t.
     const std::string text = refusal(domain, 0.7);
@@ -169,8 +168,8 @@ TEST_SUITE("unit") {
   TEST_CASE("a curve that crosses itself is refused") {
     Domain domain;
     add_curve(domain, "eight", 1,
-              make_spline(std::vector<Point>{{0, 0}, {1, 1}, {2, 0}, {2, 1.5}, {1, 0.2}, {-1, 2},
-                                             {-1, 0}, {0, 0}}));
+              make_spline(std::vector<Point>{
+                  {0, 0}, {1, 1}, {2, 0}, {2, 1.5}, {1, 0.2}, {-1, 2}, {-1, 0}, {0, 0}}));
     domain.regions.push_back({"r", 1, {{{0, false}}}, {}});
     CHECK(mentions(refusal(domain, 0.1), {"\"eight\"", "itself"}));
   }
@@ -274,11 +273,11 @@ TEST_SUITE("unit") {
 
   TEST_CASE("embedded curves may meet inside of another one") {
     Domain domain = square_domain(1);
-    for (const auto& [a, b] : {std::pair{Point{0.3, 0.5}, Point{0.7, 0.5}},
-                               std::pair{Point{0.5, 0.5}, Point{0.5, 0.8}},
-                               std::pair{Point{0.5, 0.5}, Point{0.5, 0.2}}})
-      domain.regions[0].embedded_curves.push_back(add_curve(
-          domain, "e" + std::to_string(domain.curves.size()), 9, make_line(a, b)));
+    for (const auto& [a, b] :
+         {std::pair{Point{0.3, 0.5}, Point{0.7, 0.5}}, std::pair{Point{0.5, 0.5}, Point{0.5, 0.8}},
+          std::pair{Point{0.5, 0.5}, Point{0.5, 0.2}}})
+      domain.regions[0].embedded_curves.push_back(
+          add_curve(domain, "e" + std::to_string(domain.curves.size()), 9, make_line(a, b)));
     const Result result = discretise(domain, size(0.1), {0, 0}, {1, 1});
     CHECK(degree(result.boundary.mesh, vertex_at(result.boundary.mesh, {0.5, 0.5})) == 4);
   }
@@ -320,8 +319,8 @@ TEST_SUITE("unit") {
       mesh.segments.push_back({v, v + 1, 0, 0, 1, 0, kNoIndex});
     };
     segment({0, 0}, {4, 0});
-    segment({5, 0}, {6, 0});    // collinear and apart
-    segment({1, 1}, {3, 1});    // parallel
+    segment({5, 0}, {6, 0});  // collinear and apart
+    segment({1, 1}, {3, 1});  // parallel
     CHECK(find_conflicts(mesh).empty());
     segment({2, -1}, {2, 0.5});  // crosses the first
     auto conflicts = find_conflicts(mesh);
@@ -329,8 +328,8 @@ TEST_SUITE("unit") {
     CHECK(conflicts[0].first == 0);
     CHECK(conflicts[0].second == 3);
     CHECK(conflicts[0].place == Point{2, 0});
-    segment({1, 0}, {1, -1});    // touches the first
-    segment({5.5, 0}, {7, 0});   // overlaps the second
+    segment({1, 0}, {1, -1});   // touches the first
+    segment({5.5, 0}, {7, 0});  // overlaps the second
     CHECK(find_conflicts(mesh).size() == 3);
   }
 }

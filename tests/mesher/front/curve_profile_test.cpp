@@ -103,9 +103,8 @@ TEST_SUITE("unit") {
 
   TEST_CASE("old segments are measured with Appendix B (Eqn 18)") {
     Mesh old = crossed_square(2, 2);
-    const BackgroundMesh background(old, sample(old, [](Point p) {
-                                      return metric_from_size(0.1 + 0.1 * p.x);
-                                    }));
+    const BackgroundMesh background(
+        old, sample(old, [](Point p) { return metric_from_size(0.1 + 0.1 * p.x); }));
     Index hint = 0;
     const std::vector<CurveEdge> edges{old.edges[0], old.edges[4]};  // bottom, left to right
     const CurveProfile profile = measure_old_segments(background, old, edges, hint);
@@ -118,8 +117,9 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("a straight chord is measured by the size along it") {
-    const BackgroundMesh background =
-        background_of([](Point p) { return metric_from_sizes(0.2, 0.5 + 0.1 * p.x, {0, 1}); });
+    const BackgroundMesh background = background_of([](Point p) {
+      return metric_from_sizes(0.2, 0.5 + 0.1 * p.x, {0, 1});
+    });
     Index hint = 0;
     CHECK(chord_length(background, {0, 0}, {0, 1}, hint) == Approx(5).epsilon(1e-6));
     CHECK(chord_length(background, {0, 0}, {1, 0}, hint) ==
@@ -129,7 +129,10 @@ TEST_SUITE("unit") {
   TEST_CASE("chords across a thin direction are counted by their own length and come out equal") {
     // Radial size 0.02, tangential 0.4: chords of n edges have radial height about pi^2 / (2 n^2).
     const BackgroundMesh background = background_of(
-        [](Point p) { return metric_from_sizes(0.02, 0.4, norm(p) > 0 ? p : Point{1, 0}); }, 24);
+        [](Point p) {
+          return metric_from_sizes(0.02, 0.4, norm(p) > 0 ? p : Point{1, 0});
+        },
+        24);
     Index hint = 0;
     const NurbsCurve arc = make_arc({0, 0}, 1, 0, kPi);
     const CurveProfile profile = sample_curve(background, arc, 0, 2, 0.1, 1e9, hint);
@@ -137,8 +140,8 @@ TEST_SUITE("unit") {
     CHECK(static_cast<Index>(ends.size()) - 1 > segment_count(profile.total()));
     double low = 1e300, high = 0;
     for (std::size_t k = 1; k < ends.size(); ++k) {
-      const double chord = chord_length(background, evaluate(arc, ends[k - 1]),
-                                        evaluate(arc, ends[k]), hint);
+      const double chord =
+          chord_length(background, evaluate(arc, ends[k - 1]), evaluate(arc, ends[k]), hint);
       low = std::min(low, chord);
       high = std::max(high, chord);
     }

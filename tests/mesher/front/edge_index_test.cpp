@@ -50,7 +50,8 @@ class Exerciser {
   Point place(double beyond) {
     const double x = std::lerp(-beyond, 1 + beyond, unit());
     const double y = std::lerp(-beyond, 1 + beyond, unit());
-    return {std::lerp(bounds_.low.x, bounds_.high.x, x), std::lerp(bounds_.low.y, bounds_.high.y, y)};
+    return {std::lerp(bounds_.low.x, bounds_.high.x, x),
+            std::lerp(bounds_.low.y, bounds_.high.y, y)};
   }
   Vector step() {
     const double extent = size() * (bounds_.high.x - bounds_.low.x);

@@ -90,7 +90,7 @@ TEST_SUITE("unit") {
     CHECK(c.y == doctest::Approx(0.5 * kSqrt3));
   }
 
-  TEST_CASE("the first guess has unit sides over bases that are not unit, up to length 1.6") {
+  TEST_CASE("the first guess has unit sides over bases of length 0.5 to 1.6") {
     std::mt19937_64 random(5);
     for (int i = 0; i < 100; ++i) {
       const auto [m, a, far] = random_sample(random);
@@ -147,8 +147,8 @@ TEST_SUITE("unit") {
     CHECK(fast_mu(a, b, {0.5, -0.8}, {1, 0, 1}) < 0);
     CHECK(fast_mu(a, b, {0.5, 0}, {1, 0, 1}) < 0);
     // Twice the size: sides of length 2, e^-delta with delta = 2/3 of |l - 1| over the new sides.
-    const double mu = fast_mu({{0, 0}, {2, 0, 2}, 0}, {{1, 0}, {2, 0, 2}, 0},
-                              {0.5, 0.5 * kSqrt3}, {2, 0, 2});
+    const double mu =
+        fast_mu({{0, 0}, {2, 0, 2}, 0}, {{1, 0}, {2, 0, 2}, 0}, {0.5, 0.5 * kSqrt3}, {2, 0, 2});
     CHECK(mu == doctest::Approx(std::exp(-2. / 3)).epsilon(0.1));
   }
 
@@ -168,10 +168,10 @@ TEST_SUITE("unit") {
     CHECK(half1 == doctest::Approx(half2).epsilon(0.02));
     const double best = paper_mu(background, a, b, offset.best);
     int equal = 0;
-    for (const Point c : {offset_from_a(metric_of(a.r), a.p, b.p),
-                          offset_from_b(metric_of(b.r), a.p, b.p),
-                          offset_from_midpoint(background.metric_at(offset.midpoint, hint),
-                                               offset.midpoint, b.p)}) {
+    for (const Point c :
+         {offset_from_a(metric_of(a.r), a.p, b.p), offset_from_b(metric_of(b.r), a.p, b.p),
+          offset_from_midpoint(background.metric_at(offset.midpoint, hint), offset.midpoint,
+                               b.p)}) {
       const WorkVertex v = vertex(c);
       CHECK(paper_mu(background, a, b, {v.p, v.r, v.hint}) <= best + 1e-9);
       equal += norm(c - offset.best.p) < 1e-9 ? 1 : 0;

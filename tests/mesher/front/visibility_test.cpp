@@ -75,7 +75,8 @@ bool valid(const FrontEdge& base, const Apex& apex, const std::vector<FrontEdge>
 }  // namespace
 
 TEST_SUITE("unit") {
-  TEST_CASE("a front edge blocks the triangle exactly when it meets it apart from shared vertices") {
+  TEST_CASE(
+      "a front edge blocks the triangle exactly when it meets it apart from shared vertices") {
     for (const Configuration& c : kTable) {
       INFO(c.what);
       CHECK(valid(kBase, {kNoIndex, kApex}, {c.obstacle}) == c.valid_as_new);
@@ -96,7 +97,7 @@ TEST_SUITE("unit") {
     }
   }
 
-  TEST_CASE("the triangle must be anticlockwise, to the last bit") {
+  TEST_CASE("the triangle must be anticlockwise to the last bit") {
     CHECK_FALSE(valid(kBase, {2, {1, -1}}, {}));
     CHECK_FALSE(valid(kBase, {2, {1, 0}}, {}));
     CHECK(valid(kBase, {2, {1, 1e-300}}, {}));

@@ -93,8 +93,7 @@ TEST_SUITE("unit") {
     check_edges(mesh, domain);
   }
 
-  TEST_CASE(
-      "required vertices and corners split a side and inner required vertices become points") {
+  TEST_CASE("required vertices and corners split a side and required vertices become points") {
     Mesh mesh = crossed_square();
     mesh.required_vertices = {1, 9};
     mesh.corners = {5};
@@ -104,12 +103,14 @@ TEST_SUITE("unit") {
     const Domain domain = domain_from_mesh(mesh);
     validate(domain);
     CHECK(domain.curves.size() == 6);
-    REQUIRE(domain.points.size() == 2);
+    REQUIRE(domain.points.size() == 3);
     CHECK(domain.points[0].name == "point");
-    CHECK(domain.points[0].point == Point{0.5, 0.5});
-    CHECK(domain.points[1].name == "probe");
-    CHECK(domain.points[1].tag == 4);
-    CHECK(domain.points[1].point == Point{1.5, 0.5});
+    CHECK(domain.points[0].point == mesh.points[1]);
+    CHECK(domain.points[1].name == "point-2");
+    CHECK(domain.points[1].point == Point{0.5, 0.5});
+    CHECK(domain.points[2].name == "probe");
+    CHECK(domain.points[2].tag == 4);
+    CHECK(domain.points[2].point == Point{1.5, 0.5});
   }
 
   TEST_CASE("a disc has one closed chain") {
