@@ -211,29 +211,45 @@ Index BackgroundMesh::locate_by_tree(Point p) const {
 BackgroundMesh::Nearest BackgroundMesh::nearest(Point p, Index hint) const {
   const Index inside = locate(p, hint);
   if (inside != kNoIndex) return {inside, p};
-  return nearest_by_tree(p);
+  return nearest_on_boundary(p);
 }
 
-BackgroundMesh::Nearest BackgroundMesh::nearest_by_tree(Point p) const {
-  build_tree();
-  const double diagonal = norm(bounds_.high - bounds_.low);
-  Nearest best{kNoIndex, p};
-  double best_distance = std::numeric_limits<double>::infinity();
-  const auto visit = [&](Index t) {
-    const auto& v = triangles_[t].vertices;
-    for (int k = 0; k < 3; ++k) {
-      const Point q = nearest_on_segment(vertices_[v[k]].p, vertices_[v[kNext[k]]].p, p);
-      const double distance = norm(q - p);
-      if (distance < best_distance || (distance == best_distance && t < best.triangle)) {
-        best_distance = distance;
-        best = {t, q};
+void BackgroundMesh::build_boundary_tree() const {
+  std::call_once(boundary_once_, [this] {
+    auto tree = std::make_unique<AlternatingDigitalTree>(bounds_);
+    for (Index t = 0; t < triangle_count(); ++t) {
+      const Walker& walker = triangles_[t];
+      for (int k = 0; k < 3; ++k) {
+        if (walker.neighbours[k] != kNoIndex) continue;
+        const Point a = vertices_[walker.vertices[kNext[k]]].p;
+        const Point b = vertices_[walker.vertices[kNext[kNext[k]]]].p;
+        boundary_edges_.push_back({t, a, b});
+        tree->insert(enclosing({a, a}, b));
       }
     }
+    boundary_tree_ = std::move(tree);
+  });
+}
+
+BackgroundMesh::Nearest BackgroundMesh::nearest_on_boundary(Point p) const {
+  build_boundary_tree();
+  Nearest best{kNoIndex, p};
+  double best_distance = std::numeric_limits<double>::infinity();
+  const auto visit = [&](Index i) {
+    const BoundaryEdge& edge = boundary_edges_[i];
+    const Point q = nearest_on_segment(edge.a, edge.b, p);
+    const double distance = norm(q - p);
+    if (distance > best_distance || (distance == best_distance && edge.triangle > best.triangle))
+      return;
+    best_distance = distance;
+    best = {edge.triangle, q};
   };
   const Vector beyond{std::max({bounds_.low.x - p.x, p.x - bounds_.high.x, 0.}),
                       std::max({bounds_.low.y - p.y, p.y - bounds_.high.y, 0.})};
-  double radius = norm(beyond) + 1e-3 * diagonal;
-  const auto search = [&](double r) { tree_->query({p - Vector{r, r}, p + Vector{r, r}}, visit); };
+  const auto search = [&](double r) {
+    boundary_tree_->query({p - Vector{r, r}, p + Vector{r, r}}, visit);
+  };
+  double radius = norm(beyond) + 1e-3 * norm(bounds_.high - bounds_.low);
   for (; best.triangle == kNoIndex; radius *= 2) search(radius);
   if (best_distance > 0.5 * radius) search(best_distance);
   return best;

@@ -63,6 +63,11 @@ class BackgroundMesh {
     std::array<Index, 3> vertices;
     std::array<Index, 3> neighbours;
   };
+  /// An edge without neighbour, of the triangle on its left.
+  struct BoundaryEdge {
+    Index triangle;
+    Point a, b;
+  };
   /// Result of a walk: where it ended and the (unnormalised, possibly negative) barycentrics there.
   struct Stop {
     Index triangle;
@@ -80,7 +85,8 @@ class BackgroundMesh {
   Stop stop_near(Point& p, Index hint, double slack) const;
   bool contains(Index triangle, Point p) const;
   Index locate_by_tree(Point p) const;
-  Nearest nearest_by_tree(Point p) const;
+  void build_boundary_tree() const;
+  Nearest nearest_on_boundary(Point p) const;
   Box box_of(Index triangle) const;
   Metric interpolate_at(const Stop& stop, Point p) const;
   Metric interpolate_in_quad(Index quad, Point p) const;
@@ -94,7 +100,10 @@ class BackgroundMesh {
   Box bounds_;
   double complexity_ = 0;
   mutable std::once_flag tree_once_;
-  mutable std::unique_ptr<AlternatingDigitalTree> tree_;
+  mutable std::unique_ptr<AlternatingDigitalTree> tree_;  ///< of the triangles
+  mutable std::once_flag boundary_once_;
+  mutable std::vector<BoundaryEdge> boundary_edges_;
+  mutable std::unique_ptr<AlternatingDigitalTree> boundary_tree_;
 };
 
 /// The interpolated metric as a function of the point (copies nothing of the mesh but the

@@ -128,23 +128,32 @@ class Advancer {
     return least;
   }
 
-  /// Step (iv): the front vertices inside the ellipse around the trial point.
-  void collect_vertices(const FrontEdge& base, const TrialPoint& trial) {
-    const double radius2 = options_.search_radius * options_.search_radius;
-    candidates_.clear();
+  /// Calls visit(vertex, place) once for every end of the edges in near_ but those of the base.
+  template <class Visit>
+  void for_each_near_vertex(const FrontEdge& base, Visit&& visit) {
     ++stamp_;
     marks_[base.va] = marks_[base.vb] = stamp_;
     for (const Index id : near_) {
       const FrontEdge& edge = front_.edges()[id];
       for (const auto& [v, p] : {std::pair{edge.va, edge.a}, std::pair{edge.vb, edge.b}}) {
-        if (marks_[v] == stamp_ || !overlap({p, p}, searched_)) continue;
+        if (marks_[v] == stamp_) continue;
         marks_[v] = stamp_;
-        if (squared_length(trial.r, p - trial.p) > radius2 || twice_area(base.a, base.b, p) <= 0)
-          continue;
-        const double quality = mu(base, p, mesh_.vertices[v].r);
-        if (quality > 0) candidates_.push_back({quality, {v, p}});
+        visit(v, p);
       }
     }
+  }
+
+  /// Step (iv): the front vertices inside the ellipse around the trial point.
+  void collect_vertices(const FrontEdge& base, const TrialPoint& trial) {
+    const double radius2 = options_.search_radius * options_.search_radius;
+    candidates_.clear();
+    for_each_near_vertex(base, [&](Index v, Point p) {
+      if (!overlap({p, p}, searched_) || squared_length(trial.r, p - trial.p) > radius2 ||
+          twice_area(base.a, base.b, p) <= 0)
+        return;
+      const double quality = mu(base, p, mesh_.vertices[v].r);
+      if (quality > 0) candidates_.push_back({quality, {v, p}});
+    });
   }
 
   void add_trial(const FrontEdge& base, const TrialPoint& trial) {
@@ -254,17 +263,10 @@ class Advancer {
 
   void collect_in_box(const FrontEdge& base, const Box& box) {
     candidates_.clear();
-    ++stamp_;
-    marks_[base.va] = marks_[base.vb] = stamp_;
-    for (const Index id : near_) {
-      const FrontEdge& edge = front_.edges()[id];
-      for (const auto& [v, p] : {std::pair{edge.va, edge.a}, std::pair{edge.vb, edge.b}}) {
-        if (marks_[v] == stamp_) continue;
-        marks_[v] = stamp_;
-        if (overlap({p, p}, box) && orientation(base.a, base.b, p) > 0)
-          candidates_.push_back({mu(base, p, mesh_.vertices[v].r), {v, p}});
-      }
-    }
+    for_each_near_vertex(base, [&](Index v, Point p) {
+      if (overlap({p, p}, box) && orientation(base.a, base.b, p) > 0)
+        candidates_.push_back({mu(base, p, mesh_.vertices[v].r), {v, p}});
+    });
   }
 
   const BackgroundMesh& background_;

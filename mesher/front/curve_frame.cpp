@@ -101,12 +101,12 @@ class Framer {
   }
 
   Index curve_end_at(Point p) const {
-    const auto at = std::lower_bound(end_vertices_.begin(), end_vertices_.end(), p.x - tolerance_,
+    const auto at = std::lower_bound(end_vertices_.begin(), end_vertices_.end(), p.x - on_curve_,
                                      [&](Index v, double x) { return frame_.vertices[v].x < x; });
     for (auto v = at; v != end_vertices_.end(); ++v) {
       const Point q = frame_.vertices[*v];
-      if (q.x > p.x + tolerance_) break;
-      if (norm(q - p) <= tolerance_) return *v;
+      if (q.x > p.x + on_curve_) break;
+      if (norm(q - p) <= on_curve_) return *v;
     }
     return kNoIndex;
   }
@@ -122,11 +122,12 @@ class Framer {
       // The same place may come several times: points there, curves that end there.
       bool known = false;
       for (const Split& split : splits_[c]) {
-        if (norm(frame_.vertices[split.vertex] - p) > tolerance_) continue;
+        if (norm(frame_.vertices[split.vertex] - p) > on_curve_) continue;
         vertex = split.vertex;
         known = true;
       }
-      if (vertex == kNoIndex) vertex = add_vertex(p);
+      if (vertex == kNoIndex)
+        vertex = add_vertex(nearest.distance > tolerance_ ? nearest.point : p);
       if (!known) splits_[c].push_back({nearest.parameter, vertex});
     }
     return vertex;

@@ -78,14 +78,18 @@ double swept_area(const NurbsCurve& curve, Point origin) {
     return 0.5 * sum;
   }
   const auto degree = static_cast<std::size_t>(curve.degree);
+  NurbsCurve moved = curve;  // far from the origin of coordinates rounding would hide the area
   double scale = 0;
-  for (const Point p : curve.points) scale = std::max(scale, squared_norm(p - origin));
+  for (Point& p : moved.points) {
+    p = p - origin;
+    scale = std::max(scale, squared_norm(p));
+  }
   for (std::size_t span = degree; span + degree + 1 < curve.knots.size(); ++span) {
     const double t0 = curve.knots[span], t1 = curve.knots[span + 1];
     if (t0 == t1) continue;
     const auto rate = [&](double t) {
-      const CurveDerivatives d = detail::span_derivatives(curve, span, t);
-      return cross(d.point - origin, d.first);
+      const CurveDerivatives d = detail::span_derivatives(moved, span, t);
+      return cross(d.point, d.first);
     };
     sum += detail::integrate(rate, t0, t1, 1e-13 * scale, detail::gauss_8(rate, t0, t1));
   }

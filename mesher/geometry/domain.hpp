@@ -75,8 +75,9 @@ void add_region(Domain& domain, std::string name, Index tag, const std::vector<I
                 const std::vector<std::vector<Index>>& holes);
 
 /// Throws InputError for: no region, open loops, zero-length curves, loops of zero area or wrong
-/// direction, unknown indices, non-finite coordinates, duplicate names (tags may be shared), a hole
-/// outside its region. (Curves that cross are found when the boundary is discretised.)
+/// direction, unknown indices, non-finite coordinates, duplicate names (tags may be shared),
+/// two points at one place, a hole outside its region. (Curves that cross are found when the
+/// boundary is discretised.)
 void validate(const Domain& domain);
 
 /// Index of the curve of that name or kNoIndex.

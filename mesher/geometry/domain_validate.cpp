@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "mesher/geometry/curve_piece.hpp"
 #include "mesher/geometry/describe.hpp"
@@ -21,6 +22,27 @@ void validate_names(const std::vector<Entity>& entities, const std::string& kind
     if (!names.insert(entity.name).second)
       throw InputError("domain: found two " + kind + "s named '" + entity.name +
                        "'; expected different names: rename one of them");
+}
+
+void validate_points(const std::vector<DomainPoint>& points) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    order.push_back(i);
+    if (!std::isfinite(points[i].point.x) || !std::isfinite(points[i].point.y))
+      throw InputError("point '" + points[i].name + "': found " + describe(points[i].point) +
+                       "; expected finite coordinates");
+  }
+  const auto key = [&](std::size_t i) {
+    return std::tuple(points[i].point.x, points[i].point.y, i);
+  };
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    const DomainPoint &a = points[order[k - 1]], &b = points[order[k]];
+    if (a.point == b.point)
+      throw InputError("points '" + a.name + "' and '" + b.name + "' both lie at " +
+                       describe(a.point) + "; remove one of them");
+  }
 }
 
 void validate_curve(const DomainCurve& curve, double diagonal) {
@@ -138,10 +160,7 @@ void validate(const Domain& domain) {
   validate_names(domain.points, "point");
   const double diagonal = bounding_diagonal(domain);
   for (const DomainCurve& curve : domain.curves) validate_curve(curve, diagonal);
-  for (const DomainPoint& point : domain.points)
-    if (!std::isfinite(point.point.x) || !std::isfinite(point.point.y))
-      throw InputError("point '" + point.name + "': found " + describe(point.point) +
-                       "; expected finite coordinates");
+  validate_points(domain.points);
   for (const DomainRegion& region : domain.regions) validate_region(domain, region, diagonal);
 }
 

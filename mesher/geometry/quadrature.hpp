@@ -21,10 +21,11 @@ double gauss_8(const Function& f, double a, double b) {
 }
 
 /// Integral of f over [a, b]: halved until both halves together agree with the whole to
-/// `tolerance` (absolute), at most `depth` times. `whole` is gauss_8(f, a, b).
+/// `tolerance` (absolute), at most `depth` times: the bound on the work where rounding is larger
+/// than the tolerance. `whole` is gauss_8(f, a, b).
 template <class Function>
 double integrate(const Function& f, double a, double b, double tolerance, double whole,
-                 int depth = 30) {
+                 int depth = 12) {
   const double middle = 0.5 * (a + b);
   const double left = gauss_8(f, a, middle), right = gauss_8(f, middle, b);
   if (depth == 0 || std::fabs(left + right - whole) <= tolerance) return left + right;

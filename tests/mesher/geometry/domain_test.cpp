@@ -110,6 +110,12 @@ TEST_SUITE("unit") {
     CHECK(signed_area(domain, {{2, false}, {3, false}}) == doctest::Approx(4.0 / 3).epsilon(1e-13));
   }
 
+  TEST_CASE("a circle far from the origin has its area to the rounding of the coordinates") {
+    Domain domain;
+    domain.curves.push_back({"circle", 1, make_circle({1e6, -1e6}, 1)});
+    CHECK(signed_area(domain, {{0, false}}) == doctest::Approx(3.14159265358979).epsilon(1e-9));
+  }
+
   TEST_CASE("a region turns its outer loop anticlockwise and its holes clockwise") {
     const Domain domain = square_with_hole({5, 5});
     validate(domain);
@@ -197,6 +203,8 @@ TEST_SUITE("unit") {
     bad = good;
     bad.points = {{"load", 1, {1, 1}}, {"load", 2, {2, 2}}};
     refuse(bad, "two points named 'load'");
+    bad.points = {{"load", 1, {1, 1}}, {"probe", 2, {2, 2}}, {"gauge", 3, {1, 1}}};
+    refuse(bad, "points 'load' and 'gauge' both lie at (1, 1)");
     bad.points = {{"load", 1, {1, std::nan("")}}};
     refuse(bad, "point 'load': found (1, nan)");
     refuse(square_with_hole({12, 5}), "the hole through curve 'hole' from (13, 5) lies outside");
