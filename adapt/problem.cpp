@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "adapt/cpu_time.hpp"
+#include "mesher/geometry/stopwatch.hpp"
 #include "adapt/estimate.hpp"
 #include "mesher/geometry/error.hpp"
 #include "mesher/metric/gradation.hpp"

@@ -1,8 +1,9 @@
 #include <memory>
+#include <utility>
 
 #include <spdlog/fmt/fmt.h>
 
-#include "adapt/cpu_time.hpp"
+#include "mesher/geometry/stopwatch.hpp"
 #include "drivers/command_line.hpp"
 #include "drivers/commands.hpp"
 #include "drivers/loop_input.hpp"
@@ -136,8 +137,9 @@ void mesh(const MeshArguments& arguments, Console& console) {
                                             : source_from_mesh(arguments, console);
   apply_arguments(arguments, source.options);
   const double read = watch.lap();
-  GenerateResult result = generate(source.domain, source.background, source.field, source.options,
-                                   console.monitor("mesh"));
+  GenerateResult result =
+      generate(source.domain, std::move(source.background), std::move(source.field), source.options,
+               console.monitor("mesh"));
   console.end_progress();
   watch.lap();
   const std::size_t vertices = result.mesh.points.size(), triangles = result.mesh.triangles.size();

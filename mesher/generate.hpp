@@ -48,8 +48,10 @@ struct GenerateResult {
 /// edges name the curves of `domain` (see attach_to_domain). Groups, tags, regions, embedded curves
 /// and required points are kept.
 /// Throws InputError (bad metric or domain, with the place), BudgetError, MeshingError,
-/// Interrupted. Deterministic: equal input gives equal bits.
-GenerateResult generate(const Domain& domain, const Mesh& background, const MetricField& field,
+/// Interrupted. Deterministic: equal input gives equal bits. Background and field are taken by
+/// value because they are dropped as soon as they have been read: a caller that moves them saves
+/// memory.
+GenerateResult generate(const Domain& domain, Mesh background, MetricField field,
                         const GenerateOptions& options, const Monitor& monitor = {});
 
 }  // namespace anisofront

@@ -68,7 +68,7 @@ Mesh two_triangles(const Domain& domain, double side) {
 
 void remesh(BenchInput& input) {
   input.field = exact_field(*input.bench, input.scale, input.mesh);
-  input.mesh = generate(input.domain, input.mesh, input.field, bench_options()).mesh;
+  input.mesh = generate(input.domain, std::move(input.mesh), input.field, bench_options()).mesh;
 }
 
 }  // namespace

@@ -29,10 +29,10 @@ macro(violation text)
 endmacro()
 
 # Sets `result` to the layer of a path below the root: the folder below mesher/ or the top folder;
-# generate.* makes up a layer of its own.
+# generate* makes up a layer of its own.
 function(layer_of path result)
   set(layer none)
-  if(path MATCHES "^mesher/generate\\.")
+  if(path MATCHES "^mesher/generate")
     set(layer generate)
   elseif(path MATCHES "^mesher/([a-z_]+)/")
     set(layer ${CMAKE_MATCH_1})
