@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "mesher/geometry/stopwatch.hpp"
 #include "adapt/estimate.hpp"
 #include "mesher/geometry/error.hpp"
+#include "mesher/geometry/stopwatch.hpp"
 #include "mesher/metric/gradation.hpp"
 #include "solver/norms.hpp"
 #include "solver/solve_scalar.hpp"

@@ -3,12 +3,12 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "mesher/geometry/stopwatch.hpp"
 #include "drivers/command_line.hpp"
 #include "drivers/commands.hpp"
 #include "drivers/loop_input.hpp"
 #include "drivers/prescribed_metric.hpp"
 #include "drivers/study_file.hpp"
+#include "mesher/geometry/stopwatch.hpp"
 #include "mesher/io/mesh_io.hpp"
 
 namespace anisofront {
