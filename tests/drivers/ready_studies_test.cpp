@@ -79,6 +79,27 @@ TEST_SUITE("golden") {
       check_floor(history.cycles[cycle].background, {0.90, 0.33, 96, 98.5, 0.2, 2});
   }
 
+  // The paper to the letter makes more elements than its tables; its boundary counts are exact.
+  TEST_CASE("preset paper has the boundary counts of Tables 1 and 2") {
+    struct Row {
+      std::string study, mode;
+      Index boundary_edges;
+      double least_mean;
+    };
+    for (const Row& row :
+         {Row{"example-1-m1", "anisotropic", 96, 0.92}, Row{"example-1", "anisotropic", 140, 0.92},
+          Row{"example-2", "isotropic", 434, 0.94}, Row{"example-2", "anisotropic", 98, 0.92}}) {
+      CAPTURE(row.study);
+      const VariantHistory history =
+          run_variant("paper/" + row.study + ".toml",
+                      {"mesh.preset=paper", "adapt.mode=" + row.mode, "adapt.cycles=3"});
+      const MeshStatistics& s = history.cycles.back().exact.value();
+      CHECK(s.boundary_edges == row.boundary_edges);
+      CHECK(s.quality_mean >= row.least_mean);
+      CHECK(s.percent_half >= 97);
+    }
+  }
+
   TEST_CASE("edge-length distributions settle by cycle 3") {
     const VariantHistory history = run_example("example-2", "anisotropic");
     CHECK(distribution_change(history.cycles[0], history.cycles[1]) > 0.5);
