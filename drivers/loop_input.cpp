@@ -65,17 +65,15 @@ AdaptSettings adapt_settings(const Study& study) {
   if (study.target.nodes) settings.target_vertices = *study.target.nodes;
   settings.target_error = study.target.error;
   settings.limits = study.limits;
-  settings.limits.gradation = study.gradation;
+  settings.limits.gradation = study_options(study).gradation;
   return settings;
 }
 
 void set_purpose(const Study& study, LoopInput& input) {
   if (study.metric) {
-    // One copy to sample, one for the statistics: the same compiled expressions. The paper takes
-    // the metric as it is.
+    // One copy to sample, one for the statistics: the same compiled expressions.
     input.exact_metric = prescribed_metric(*study.metric, input.domain, study.limits);
-    input.analyse =
-        analyse_prescribed(input.exact_metric, study.preset == Preset::paper ? 0 : study.gradation);
+    input.analyse = analyse_prescribed(input.exact_metric, input.generate.gradation);
     return;
   }
   const auto exact = known_solution(*study.problem);
@@ -88,7 +86,8 @@ void set_purpose(const Study& study, LoopInput& input) {
 GenerateOptions study_options(const Study& study) {
   GenerateOptions options = generate_options(study.preset);
   options.interpolation = study.interpolation;
-  options.gradation = study.gradation;
+  if (study.preset == Preset::best)
+    options.gradation = study.gradation;  // the paper limits nothing
   options.max_elements = study.max_elements;
   options.boundary.chord_height = study.chord_height;
   return options;
@@ -131,8 +130,8 @@ LoopInput loop_input(const Study& study, const Monitor& monitor) {
   input.initial = std::move(start.mesh);
   input.cycles = study.cycles;
   input.generate = study_options(study);
-  input.generate.gradation = 0;  // the analysis limits the metric, so that the history sees it
   set_purpose(study, input);
+  input.generate.gradation = 0;  // the analysis limits the metric, so that the history sees it
   return input;
 }
 

@@ -90,14 +90,14 @@ GenerateResult generate(const Domain& domain, Mesh background_mesh, MetricField 
     if (options.gradation > 1) limit_gradation(background_mesh, field, options.gradation);
     return std::make_unique<BackgroundMesh>(background_mesh, field, options.interpolation);
   });
-  field = {};
+  field = MetricField();  // unlike {}, which keeps the capacity
   const double expected = expected_triangles(*background);
   require_budget(expected, options.max_elements);
   Boundary boundary = timed(seconds.boundary, [&] {
     return discretise_boundary(domain, background_mesh, *background, options.boundary,
                                options.max_elements, monitor);
   });
-  background_mesh = {};
+  background_mesh = Mesh();
   reserve(boundary.mesh, expected);
   const FrontStatistics front = timed(seconds.front, [&] {
     return advance_front(*background, boundary.mesh, options.front, expected, monitor);

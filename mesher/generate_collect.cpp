@@ -100,8 +100,6 @@ void add_points(const Domain& domain, const std::vector<Index>& point_vertices,
 
 }  // namespace
 
-/// The finished mesh; the work mesh is gone when it returns, before the memory for checks is
-/// needed.
 Collected collect(const Domain& domain, Boundary boundary) {
   const WorkMesh& work = boundary.mesh;
   Collected result;
