@@ -51,6 +51,7 @@ Cycle next_cycle(const LoopInput& input, const Cycle& last, const Monitor& monit
   cycle.record.seconds.metric = made.seconds.background;
   cycle.record.seconds.front = made.seconds.boundary + made.seconds.front;
   cycle.record.seconds.enhance = made.seconds.enhance + made.seconds.verify;
+  cycle.record.seconds.quads = made.seconds.quads;
   add_statistics(input, last.mesh, last.analysis.metric, cycle);
   analyse(input, cycle, monitor);
   return cycle;

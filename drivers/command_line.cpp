@@ -28,6 +28,16 @@ GmshFormat gmsh_format(const OutputFormat& format) {
   return {format.version == "2.2" ? GmshVersion::v2_2 : GmshVersion::v4_1, format.binary};
 }
 
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  const auto complaint = [words](const std::string& word) -> std::string {
+    if (std::find(words.begin(), words.end(), word) != words.end()) return {};
+    const bool is_near = !nearest_name(word, words).empty();
+    return "found \"" + word + "\", expected one of: " + joined(words) +
+           (is_near ? name_proposal(word, words) : "");
+  };
+  return {complaint, joined(words, "|")};
+}
+
 void require_writable_mesh(const std::filesystem::path& path) {
   const std::vector<std::string> known{".msh", ".mesh", ".vtu", ".svg"};
   const std::string suffix = path.extension().string();

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -21,6 +22,9 @@ struct OutputFormat {
 /// Adds --format and --binary.
 void add_output_format(CLI::App& command, OutputFormat& format);
 GmshFormat gmsh_format(const OutputFormat& format);
+
+/// Refuses other words than those of the list and proposes the nearest one.
+CLI::Validator one_of(const std::vector<std::string>& words);
 
 /// Refuses, before any work is done, names that write_mesh_file() would refuse afterwards.
 /// Throws UsageError for other suffixes than .msh .mesh .vtu .svg and for missing folders.

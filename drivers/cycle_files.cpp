@@ -4,6 +4,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "drivers/element_names.hpp"
+#include "drivers/quality_fields.hpp"
 #include "drivers/text.hpp"
 #include "mesher/io/mesh_io.hpp"
 
@@ -57,15 +59,18 @@ void write_cycle(const fs::path& folder, const std::vector<std::string>& formats
                  const Mesh& mesh, const Analysis& analysis) {
   make_folder(folder);
   if (cycle == 0) remove_earlier_cycles(folder);
-  const MeshFile file = with_fields(mesh, analysis, cycle);
+  MeshFile file = with_fields(mesh, analysis, cycle);
   const auto asked = [&](const char* format) {
     return std::find(formats.begin(), formats.end(), format) != formats.end();
   };
-  for (const char* format : {"msh", "vtu", "svg", "mesh"})
+  for (const char* format : {"msh", "svg", "mesh"})
     // The .msh is always there: the report is made from it.
     if (asked(format) || std::string_view(format) == "msh")
       write_mesh_file(folder / fmt::format("cycle-{}.{}", cycle, format), file);
-  if (asked("vtu")) write_text_file(folder / "cycles.pvd", pvd(cycle));
+  if (!asked("vtu")) return;
+  add_quality_fields(file, analysis.metric, cycle);
+  write_mesh_file(folder / fmt::format("cycle-{}.vtu", cycle), file);
+  write_text_file(folder / "cycles.pvd", pvd(cycle));
 }
 
 std::vector<std::pair<std::string, std::string>> variant_settings(const Variant& variant) {
@@ -73,8 +78,13 @@ std::vector<std::pair<std::string, std::string>> variant_settings(const Variant&
   std::vector<std::pair<std::string, std::string>> settings{
       {"adapt.mode", study.mode == AdaptMode::isotropic ? "isotropic" : "anisotropic"},
       {"adapt.cycles", std::to_string(study.cycles)},
-      {"mesh.elements", "triangle"},
+      {"mesh.elements", name_of(kElementNames, study.elements)},
       {"mesh.preset", study.preset == Preset::paper ? "paper" : "best"}};
+  if (study.elements != Elements::triangle) {
+    settings.emplace_back("mesh.quad_method", name_of(kQuadMethodNames, study.quads.method));
+    settings.emplace_back("mesh.quad_effort", name_of(kQuadEffortNames, study.quads.effort));
+    settings.emplace_back("mesh.quad_start", name_of(kQuadStartNames, study.quads.start));
+  }
   if (study.target.nodes)
     settings.emplace_back("adapt.target.nodes", std::to_string(*study.target.nodes));
   if (study.target.error)

@@ -39,6 +39,7 @@ Json cycle_json(const CycleRecord& record) {
              {"quads", s.quads},
              {"dofs", record.dofs}};
   cycle.update(statistics_json(s, record.exact ? "exact" : "background"));
+  cycle["scaled_jacobian_min"] = s.scaled_jacobian_min;
   cycle["background"] = statistics_json(record.background, "background");
   cycle["error"] = error_json(record.error);
   cycle["seconds"] = seconds_json(record.seconds);
@@ -67,7 +68,7 @@ struct Column {
   const char* name;
   const char* pointer;
 };
-constexpr std::array<Column, 32> kColumns{
+constexpr std::array<Column, 37> kColumns{
     {{"cycle", "/cycle"},
      {"vertices", "/vertices"},
      {"elements", "/elements"},
@@ -84,6 +85,9 @@ constexpr std::array<Column, 32> kColumns{
      {"percent_0.5_1.5", "/edge_length/in_0.5_1.5"},
      {"percent_unit_band", "/edge_length/in_unit_band"},
      {"metric_complexity", "/metric_complexity"},
+     {"angle_min", "/angle/min"},
+     {"angle_max", "/angle/max"},
+     {"scaled_jacobian_min", "/scaled_jacobian_min"},
      {"background_quality_mean", "/background/quality/mean"},
      {"background_quality_min", "/background/quality/min"},
      {"background_length_min", "/background/edge_length/min"},
@@ -91,6 +95,8 @@ constexpr std::array<Column, 32> kColumns{
      {"background_percent_0.5_1.5", "/background/edge_length/in_0.5_1.5"},
      {"background_percent_unit_band", "/background/edge_length/in_unit_band"},
      {"background_metric_complexity", "/background/metric_complexity"},
+     {"background_angle_min", "/background/angle/min"},
+     {"background_angle_max", "/background/angle/max"},
      {"error_estimate", "/error/estimate"},
      {"error_relative_energy", "/error/relative_energy"},
      {"effectivity", "/error/effectivity"},
@@ -121,6 +127,7 @@ Json statistics_json(const MeshStatistics& s, const std::string& against) {
             {"in_0.5_1.5", s.percent_half},
             {"in_unit_band", s.percent_unit},
             {"histogram", histogram_json(s)}}},
+          {"angle", {{"against", against}, {"min", s.angle_min}, {"max", s.angle_max}}},
           {"metric_complexity", s.complexity}};
 }
 

@@ -88,6 +88,8 @@ GenerateOptions study_options(const Study& study) {
   options.interpolation = study.interpolation;
   if (study.preset == Preset::best)
     options.gradation = study.gradation;  // the paper limits nothing
+  options.elements = study.elements;
+  options.quads = study.quads;
   options.max_elements = study.max_elements;
   options.boundary.chord_height = study.chord_height;
   return options;

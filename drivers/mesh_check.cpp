@@ -19,14 +19,35 @@ std::string histogram_text(const MeshStatistics& s) {
   return text;
 }
 
+/// The paper's names for the quality of triangles and quadrilaterals.
+const char* quality_name(const MeshStatistics& s) {
+  if (s.quads == 0) return "alpha~";
+  return s.triangles == 0 ? "beta~" : "alpha~ and beta~";
+}
+
+std::string scaled_jacobian_text(const MeshStatistics& s) {
+  if (s.quads == 0) return {};
+  return fmt::format("least scaled Jacobian of the quadrilaterals: {:.4f}\n",
+                     s.scaled_jacobian_min);
+}
+
+/// What is known without a metric.
+std::string shape_text(const MeshStatistics& s) {
+  return fmt::format("shape quality {} (no metric): mean {:.4f}, min {:.4f}\n", quality_name(s),
+                     s.quality_mean, s.quality_min) +
+         fmt::format("corner angles: {:.1f} to {:.1f} degrees\n", s.angle_min, s.angle_max) +
+         scaled_jacobian_text(s);
+}
+
 std::string metric_text(const MeshStatistics& s) {
-  std::string text = fmt::format("quality in the metric: mean {:.4f}, min {:.4f}\n", s.quality_mean,
-                                 s.quality_min);
+  std::string text = fmt::format("quality {} in the metric: mean {:.4f}, min {:.4f}\n",
+                                 quality_name(s), s.quality_mean, s.quality_min);
   text += fmt::format("edge length in the metric: {:.4f} to {:.4f}\n", s.length_min, s.length_max);
   text += fmt::format("edges in [0.5, 1.5]: {:.3f} %, in [1/sqrt2, sqrt2]: {:.3f} %\n",
                       s.percent_half, s.percent_unit);
   text += fmt::format("corner angles in the metric: {:.1f} to {:.1f} degrees\n", s.angle_min,
                       s.angle_max);
+  text += scaled_jacobian_text(s);
   text += fmt::format("largest stretch: {:.4g}; integral of sqrt(det M): {:.6g}\n", s.stretch_max,
                       s.complexity);
   return text + histogram_text(s);
@@ -57,12 +78,14 @@ Json findings_json(const MeshFindings& findings) {
             {"defects", r.defects}};
   if (!findings.statistics) return json;
   const MeshStatistics& s = *findings.statistics;
+  const Json against = statistics_json(s, findings.has_metric ? "field" : "euclidean");
+  json["scaled_jacobian_min"] = s.scaled_jacobian_min;
   if (!findings.has_metric) {
-    json["quality"] = {{"against", "euclidean"}, {"mean", s.quality_mean}, {"min", s.quality_min}};
+    json["quality"] = against["quality"];
+    json["angle"] = against["angle"];
     return json;
   }
-  json.update(statistics_json(s, "field"));
-  json["angle"] = {{"min", s.angle_min}, {"max", s.angle_max}};
+  json.update(against);
   json["stretch_max"] = s.stretch_max;
   return json;
 }
@@ -77,8 +100,7 @@ std::string findings_text(const MeshFindings& findings) {
   for (const std::string& defect : r.defects) text += "  " + defect + "\n";
   if (!findings.statistics) return text;
   if (findings.has_metric) return text + metric_text(*findings.statistics);
-  return text + fmt::format("shape quality (no metric): mean {:.4f}, min {:.4f}\n",
-                            findings.statistics->quality_mean, findings.statistics->quality_min);
+  return text + shape_text(*findings.statistics);
 }
 
 }  // namespace anisofront

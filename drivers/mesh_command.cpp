@@ -6,7 +6,9 @@
 #include "drivers/command_line.hpp"
 #include "drivers/commands.hpp"
 #include "drivers/loop_input.hpp"
+#include "drivers/mesh_arguments.hpp"
 #include "drivers/prescribed_metric.hpp"
+#include "drivers/quality_fields.hpp"
 #include "drivers/study_file.hpp"
 #include "mesher/geometry/stopwatch.hpp"
 #include "mesher/io/mesh_io.hpp"
@@ -16,15 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct MeshArguments {
-  std::string input, metric, domain, output;
-  double size = 0, corner_angle = 40, chord_height = 0, gradation = 0;
-  std::string preset;
-  bool smooth = false, write_metric = false;
-  std::int64_t max_nodes = 5'000'000;
-  OutputFormat format;
-};
-
 /// What generate() takes.
 struct Source {
   Domain domain;
@@ -32,6 +25,22 @@ struct Source {
   MetricField field;
   GenerateOptions options;
 };
+
+/// How many of what a mesh has.
+struct Counts {
+  std::size_t vertices = 0, triangles = 0, quads = 0;
+
+  std::string text() const {
+    std::string text = fmt::format("{} vertices", vertices);
+    if (triangles > 0) text += fmt::format(", {} triangles", triangles);
+    if (quads > 0) text += fmt::format(", {} quadrilaterals", quads);
+    return text;
+  }
+};
+
+Counts counts_of(const Mesh& mesh) {
+  return {mesh.points.size(), mesh.triangles.size(), mesh.quads.size()};
+}
 
 bool is_study(const std::string& path) { return fs::path(path).extension() == ".toml"; }
 
@@ -64,11 +73,19 @@ MetricField study_metric(const Study& study, const Start& start) {
   return field;
 }
 
+/// The first variant with the elements asked for, or else the first of all.
+const Variant& fitting_variant(const StudyFile& file, std::optional<Elements> elements) {
+  for (const Variant& variant : file.variants)
+    if (variant.study.elements == elements) return variant;
+  return file.variants.front();
+}
+
 Source source_from_study(const MeshArguments& arguments, Console& console) {
   const StudyFile file = read_study_file(arguments.input);
+  const Variant& variant = fitting_variant(file, asked_elements(arguments));
   if (file.variants.size() > 1)
-    console.say("the study has several variants; this is " + file.variants.front().name);
-  const Study& study = file.variants.front().study;
+    console.say("the study has several variants; this is " + variant.name);
+  const Study& study = variant.study;
   Start start = study_start(study, console.monitor("initial mesh"));
   const bool own_metric = arguments.metric.empty() && arguments.size == 0;
   MetricField field =
@@ -95,38 +112,36 @@ Source source_from_mesh(const MeshArguments& arguments, Console& console) {
   return source;
 }
 
-void apply_arguments(const MeshArguments& arguments, GenerateOptions& options) {
-  if (!arguments.preset.empty()) {
-    const GenerateOptions before = options;
-    options = generate_options(arguments.preset == "paper" ? Preset::paper : Preset::best);
-    options.boundary.chord_height = before.boundary.chord_height;
-    options.gradation = before.gradation;
-  }
-  if (arguments.chord_height > 0) options.boundary.chord_height = arguments.chord_height;
-  if (arguments.gradation > 1) options.gradation = arguments.gradation;
-  options.max_elements = arguments.max_nodes;
-}
-
-void say_times(const GenerateResult& result, std::size_t count, double read, double write,
+void say_times(const PhaseSeconds& s, const Counts& counts, double read, double write,
                Console& console) {
-  const auto triangles = static_cast<double>(count);
-  const PhaseSeconds& s = result.seconds;
-  const std::pair<const char*, double> phases[] = {
-      {"read", read},     {"background", s.background}, {"boundary", s.boundary},
-      {"front", s.front}, {"enhance", s.enhance},       {"verify", s.verify},
-      {"write", write}};
+  const auto elements = static_cast<double>(counts.triangles + counts.quads);
+  const char* unit = counts.quads == 0 ? "triangles/s" : "elements/s";
+  std::vector<std::pair<const char*, double>> phases{
+      {"read", read},           {"background", s.background},
+      {"boundary", s.boundary}, {"front", s.front},
+      {"enhance", s.enhance},   {"quads", s.quads},
+      {"verify", s.verify},     {"write", write}};
+  const auto say = [&](const char* name, double seconds) {
+    console.detail(fmt::format("{:<11}{:9.3f} s {:12.0f} {}", name, seconds,
+                               seconds > 0 ? elements / seconds : 0, unit));
+  };
   double total = 0;
   for (const auto& [name, seconds] : phases) {
-    console.detail(fmt::format("{:<11}{:9.3f} s {:12.0f} triangles/s", name, seconds,
-                               seconds > 0 ? triangles / seconds : 0));
     total += seconds;
+    if (seconds > 0) say(name, seconds);
   }
-  console.detail(fmt::format("{:<11}{:9.3f} s {:12.0f} triangles/s", "total", total,
-                             total > 0 ? triangles / total : 0));
+  say("total", total);
+}
+
+void say_quads(const QuadStatistics& s, Console& console) {
+  console.detail(fmt::format(
+      "quads: {} coarse triangles, {} left over by pairing, {} operations kept of {}, {} divisions",
+      s.triangles, s.leftovers, s.operations, s.trials, s.levels));
 }
 
 void write_result(const MeshArguments& arguments, MeshFile file, const MetricField& metric) {
   if (arguments.write_metric) file.vertex_fields.push_back(metric_file_field(metric));
+  if (fs::path(arguments.output).extension() == ".vtu") add_quality_fields(file, metric);
   write_mesh_file(arguments.output, file, gmsh_format(arguments.format));
 }
 
@@ -142,54 +157,11 @@ void mesh(const MeshArguments& arguments, Console& console) {
                console.monitor("mesh"));
   console.end_progress();
   watch.lap();
-  const std::size_t vertices = result.mesh.points.size(), triangles = result.mesh.triangles.size();
+  const Counts counts = counts_of(result.mesh);
   write_result(arguments, {std::move(result.mesh), {}, {}}, result.metric);
-  say_times(result, triangles, read, watch.lap(), console);
-  console.say(
-      fmt::format("wrote {}: {} vertices, {} triangles", arguments.output, vertices, triangles));
-}
-
-CLI::Validator positive_number() {
-  const auto complaint = [](const std::string& text) {
-    double value = 0;
-    return CLI::detail::lexical_cast(text, value) && value > 0
-               ? std::string()
-               : "expected a positive number, found " + text;
-  };
-  return {complaint, "POSITIVE"};
-}
-
-void add_options(CLI::App& command, MeshArguments& a) {
-  command.add_option("INPUT", a.input, "Study (.toml), .msh or .mesh")->required();
-  auto* metric = command.add_option("--metric", a.metric,
-                                    "Metric on the vertices of INPUT: .sol, or .msh with node data"
-                                    " (default for NAME.mesh: NAME.sol)");
-  command.add_option("--size", a.size, "The same size everywhere instead")
-      ->check(positive_number())
-      ->excludes(metric);
-  command.add_option("--domain", a.domain, "Study whose curves replace the boundary of INPUT");
-  command.add_option("-o,--output", a.output, "Mesh to write (.msh, .mesh, .vtu, .svg)")
-      ->required();
-  command.add_option("--preset", a.preset, "best (default) or paper")
-      ->check(CLI::IsMember({"best", "paper"}));
-  command
-      .add_option("--corner-angle", a.corner_angle,
-                  "Boundary vertices that turn by more degrees are corners")
-      ->check(CLI::Range(0., 180.))
-      ->capture_default_str();
-  command.add_flag("--smooth", a.smooth, "Smooth curves through the boundary between corners");
-  command
-      .add_option("--chord-height", a.chord_height, "Largest distance of an edge from its curve")
-      ->check(positive_number());
-  command.add_option("--gradation", a.gradation, "Largest growth of sizes per element, e.g. 1.5")
-      ->check(CLI::Range(1.0001, 1e6));
-  command
-      .add_option("--max-nodes,--max-elements", a.max_nodes,
-                  "Refuse a metric that asks for more elements")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{2'000'000'000}))
-      ->capture_default_str();
-  command.add_flag("--write-metric", a.write_metric,
-                   "Write the metric too: OUT.sol beside a .mesh, node data in a .msh");
+  say_times(result.seconds, counts, read, watch.lap(), console);
+  if (counts.quads > 0) say_quads(result.quads, console);
+  console.say(fmt::format("wrote {}: {}", arguments.output, counts.text()));
 }
 
 }  // namespace
@@ -197,12 +169,12 @@ void add_options(CLI::App& command, MeshArguments& a) {
 void add_mesh_command(CLI::App& app, Console& console) {
   CLI::App* command = app.add_subcommand("mesh", "One mesh that fits a metric");
   auto arguments = std::make_shared<MeshArguments>();
-  add_options(*command, *arguments);
-  add_output_format(*command, arguments->format);
+  add_mesh_options(*command, *arguments);
   add_verbosity(*command, console);
   command->footer(
       "References, corners and required vertices of INPUT are kept.\nExample:\n"
-      "  anisofront mesh in.mesh --metric in.sol -o out.mesh");
+      "  anisofront mesh in.mesh --metric in.sol -o out.mesh\n"
+      "  anisofront mesh in.mesh --metric in.sol --quad --quad-effort fast -o quads.msh");
   command->callback([arguments, &console] { mesh(*arguments, console); });
 }
 

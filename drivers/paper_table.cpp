@@ -26,6 +26,8 @@ constexpr std::array<PaperRow, 16> kRows{
 
 }  // namespace
 
+bool has_quads(const PaperRow& row) { return row.type[3] == 'Q'; }
+
 const PaperRow* paper_row(const std::string& name) {
   for (const PaperRow& row : kRows)
     if (name == row.name) return &row;

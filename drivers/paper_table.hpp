@@ -13,6 +13,9 @@ struct PaperRow {
   double quality_mean, quality_min, percent_half, length_min, length_max;
 };
 
+/// Whether the mesh of a row consists of quadrilaterals.
+bool has_quads(const PaperRow& row);
+
 /// The row of that name or nullptr.
 const PaperRow* paper_row(const std::string& name);
 

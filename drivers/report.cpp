@@ -78,9 +78,13 @@ std::string variant_section(const Json& variant, const FigureList& list,
 }
 
 const char* const kLegend =
-    "<p>NN vertices, NE elements, ND edges, NB boundary edges. Mean (geometric) and min: element "
-    "quality &alpha;&#771; of the paper, 1 for an element that fits the metric. Lengths are those "
-    "of the edges in the metric, ideally 1; unit band: share of edges in [1/&radic;2, &radic;2]. "
+    "<p>Type: T triangles, Q quadrilaterals. NN vertices, NE elements, ND edges, NB boundary "
+    "edges. "
+    "Mean (geometric) and min: element quality of the paper, &alpha;&#771; of triangles and "
+    "&beta;&#771; of quadrilaterals, 1 for an element that fits the metric. Lengths are those of "
+    "the edges in the metric, ideally 1; unit band: share of edges in [1/&radic;2, &radic;2]. "
+    "Angles: of the corners, in the metric, degrees; min sJ: least scaled Jacobian of the "
+    "quadrilaterals, in the plane. "
     "Exact: against the formula of a prescribed metric; background: against its interpolant on "
     "the mesh before. Error: relative, in the energy norm (~: estimated).</p>\n";
 

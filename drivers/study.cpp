@@ -4,6 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "drivers/element_names.hpp"
 #include "drivers/paper_table.hpp"
 #include "drivers/text.hpp"
 
@@ -32,12 +33,19 @@ void read_domain(TomlTable& root, Study& study) {
   table.finish();
 }
 
-void refuse_quadrilaterals(TomlTable& table) {
-  const std::string elements = table.choice("elements", {"triangle", "quadrilateral"}, "triangle");
-  if (elements == "quadrilateral")
-    table.fail(
-        "elements",
-        "this version makes triangles only; write elements = \"triangle\" or leave the key out");
+/// One of the words of a table; `fallback` when the key is absent.
+template <class Value, std::size_t N>
+Value read_named(TomlTable& table, const std::string& key, const std::array<Named<Value>, N>& names,
+                 Value fallback) {
+  return value_named(names, table.choice(key, names_of(names), name_of(names, fallback)));
+}
+
+void read_elements(TomlTable& table, Study& study) {
+  study.elements = read_named(table, "elements", kElementNames, Elements::triangle);
+  const QuadOptions preset = generate_options(study.preset).quads;
+  study.quads.method = read_named(table, "quad_method", kQuadMethodNames, preset.method);
+  study.quads.effort = read_named(table, "quad_effort", kQuadEffortNames, preset.effort);
+  study.quads.start = read_named(table, "quad_start", kQuadStartNames, preset.start);
 }
 
 Interpolation interpolation_named(const std::string& name) {
@@ -63,9 +71,9 @@ void read_mesh(TomlTable& root, Study& study) {
   static const toml::table kEmpty;
   TomlTable table = root.table("mesh").value_or(TomlTable(kEmpty, "mesh", study.file.string()));
   read_initial(table, study);
-  refuse_quadrilaterals(table);
   study.preset =
       table.choice("preset", {"best", "paper"}, "best") == "paper" ? Preset::paper : Preset::best;
+  read_elements(table, study);
   study.interpolation = interpolation_named(
       table.choice("interpolation", {"linear-size", "simultaneous-reduction", "log-euclidean"},
                    default_interpolation(study.preset)));
@@ -154,25 +162,48 @@ void read_output(TomlTable& root, Study& study) {
   table->finish();
 }
 
-/// [report] paper = "13b", or paper = { isotropic = "13b", anisotropic = "13d" }.
+/// The row that fits the study: a name, or a table by mode or elements whose entries are the same
+/// again. Every entry is read, so that mistakes in those not used are found too.
+std::string fitting_row(TomlTable& table, const std::string& key, const Study& study) {
+  if (!table.is_table(key)) {
+    const std::string name = table.text(key).value_or("");
+    if (!name.empty() && paper_row(name) == nullptr)
+      table.fail(key, fmt::format("the paper has no row \"{}\"; known: {}", name,
+                                  joined(paper_row_names())));
+    return name;
+  }
+  TomlTable rows = *table.table(key);
+  const std::pair<const char*, bool> entries[] = {
+      {"isotropic", study.mode == AdaptMode::isotropic},
+      {"anisotropic", study.mode == AdaptMode::anisotropic},
+      {"triangle", study.elements == Elements::triangle},
+      {"quadrilateral", study.elements == Elements::quadrilateral}};
+  std::string fitting;
+  for (const auto& [word, fits] : entries) {
+    const std::string row = fitting_row(rows, word, study);
+    if (fits && !row.empty()) fitting = row;
+  }
+  rows.finish();
+  return fitting;
+}
+
+/// [report] paper = "12b", or paper = { isotropic = { triangle = "13b", ... }, ... }. A row of
+/// triangles does not stand beside quadrilaterals.
 void read_report(TomlTable& root, Study& study) {
   auto table = root.table("report");
   if (!table) return;
-  const bool isotropic = study.mode == AdaptMode::isotropic;
-  if (!table->is_table("paper")) {
-    study.paper_row = table->text("paper").value_or("");
-  } else if (auto rows = table->table("paper")) {
-    const auto row1 = rows->text("isotropic"), row2 = rows->text("anisotropic");
-    study.paper_row = (isotropic ? row1 : row2).value_or("");
-    rows->finish();
-  }
-  if (!study.paper_row.empty() && paper_row(study.paper_row) == nullptr)
-    table->fail("paper", fmt::format("the paper has no row \"{}\"; known: {}", study.paper_row,
-                                     joined(paper_row_names())));
+  const PaperRow* row = paper_row(fitting_row(*table, "paper", study));
+  const Elements elements =
+      row != nullptr && has_quads(*row) ? Elements::quadrilateral : Elements::triangle;
+  if (row != nullptr && elements == study.elements) study.paper_row = row->name;
   table->finish();
 }
 
-void check_purpose(const TomlTable& root, const Study& study) {
+void check_purpose(TomlTable& root, const Study& study) {
+  if (study.problem && study.elements != Elements::triangle)
+    root.table("mesh")->fail("elements",
+                             "this version solves a [problem] on triangles only; write elements = "
+                             "\"triangle\", or prescribe a [metric] for quadrilaterals");
   if (study.metric && study.problem)
     root.fail("problem", "a study has either a [metric] or a [problem], not both");
   if (!study.metric && !study.problem)

@@ -65,6 +65,8 @@ struct Study {
   BoundaryDomainOptions domain_options;
   InitialMesh initial;
   Preset preset = Preset::best;
+  Elements elements = Elements::triangle;
+  QuadOptions quads;  ///< not read for triangles
   Interpolation interpolation = Interpolation::linear_size;
   double chord_height = 0;
   std::int64_t max_elements = 5'000'000;

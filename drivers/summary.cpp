@@ -10,9 +10,9 @@
 namespace anisofront {
 namespace {
 
-const std::vector<std::string> kColumns{"against", "NN",    "NE",          "ND",
-                                        "NB",      "mean",  "min",         "0.5-1.5 %",
-                                        "l_min",   "l_max", "unit band %", "error"};
+const std::vector<std::string> kColumns{"against", "type",        "NN",     "NE",        "ND",
+                                        "NB",      "mean",        "min",    "0.5-1.5 %", "l_min",
+                                        "l_max",   "unit band %", "angles", "min sJ",    "error"};
 
 std::string number(const Json& value, const char* format) {
   return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "-";
@@ -33,9 +33,29 @@ std::string percent(const Json& value) {
   return fmt::format("{:.2f}", std::floor(100 * value.get<double>() + kRounding) / 100);
 }
 
+/// "T", "Q" or, for a mixed mesh, "Q+31T".
+std::string type_text(const Json& cycle) {
+  const std::int64_t triangles = cycle["triangles"], quads = cycle["quads"];
+  if (quads == 0) return "T";
+  return triangles == 0 ? "Q" : fmt::format("Q+{}T", triangles);
+}
+
+/// "62-118": the range of the corner angles in whole degrees. Results of older versions have none.
+std::string angle_text(const Json& statistics) {
+  const Json angle = statistics.value("angle", Json::object());
+  return number(angle.value("min", Json()), "{:.0f}-") +
+         number(angle.value("max", Json()), "{:.0f}");
+}
+
+/// Of quadrilaterals only.
+std::string scaled_jacobian_text(const Json& cycle) {
+  return cycle["quads"] == 0 ? "-" : number(cycle.value("scaled_jacobian_min", Json()), "{:.3f}");
+}
+
 std::vector<std::string> statistics_cells(const Json& cycle, const Json& statistics) {
   const Json& length = statistics["edge_length"];
   return {statistics["quality"]["against"].get<std::string>(),
+          type_text(cycle),
           count(cycle["vertices"]),
           count(cycle["elements"]),
           count(cycle["edges"]),
@@ -46,13 +66,16 @@ std::vector<std::string> statistics_cells(const Json& cycle, const Json& statist
           number(length["min"], "{:.3f}"),
           number(length["max"], "{:.3f}"),
           percent(length["in_unit_band"]),
+          angle_text(statistics),
+          scaled_jacobian_text(cycle),
           error_text(cycle["error"])};
 }
 
 std::vector<std::string> paper_cells(const PaperRow& row) {
-  const bool quads = row.type[3] == 'Q';
+  const bool quads = has_quads(row);
   const int boundary_edges = 2 * row.edges - (quads ? 4 : 3) * row.elements;
   return {"paper",
+          quads ? "Q" : "T",
           std::to_string(row.vertices),
           std::to_string(row.elements),
           std::to_string(row.edges),
@@ -62,6 +85,8 @@ std::vector<std::string> paper_cells(const PaperRow& row) {
           fmt::format("{:.2f}", row.percent_half),
           fmt::format("{:.2f}", row.length_min),
           fmt::format("{:.2f}", row.length_max),
+          "-",
+          "-",
           "-",
           "-"};
 }

@@ -31,23 +31,19 @@ double expected_triangles(const BackgroundMesh& background) {
   return 4 / std::sqrt(3.) * background.complexity();
 }
 
+/// A unit square has area 1; two triangles make a quadrilateral of a mixed mesh.
+double expected_elements(const BackgroundMesh& background, Elements elements) {
+  if (elements == Elements::quadrilateral) return background.complexity();
+  const double triangles = expected_triangles(background);
+  return elements == Elements::mixed ? triangles / 2 : triangles;
+}
+
 void require_budget(double expected, std::int64_t limit) {
   if (expected <= static_cast<double>(limit)) return;
   throw BudgetError("the metric asks for about " +
                     std::to_string(static_cast<std::int64_t>(std::min(expected, 9e18))) +
                     " elements, more than the limit of " + std::to_string(limit) +
                     "; ask for larger sizes or raise the limit");
-}
-
-/// Domain points inside regions become vertices; those on curves are vertices already.
-void insert_inner_points(const Domain& domain, Patch& patch, std::vector<Index>& point_vertices) {
-  std::vector<Point> inner;
-  for (std::size_t i = 0; i < point_vertices.size(); ++i)
-    if (point_vertices[i] == kNoIndex) inner.push_back(domain.points[i].point);
-  const std::vector<Index> inserted = insert_required_points(patch, inner);
-  std::size_t next = 0;
-  for (Index& v : point_vertices)
-    if (v == kNoIndex) v = inserted[next++];
 }
 
 EnhanceStatistics improve(const Domain& domain, const BackgroundMesh& background,
@@ -69,6 +65,69 @@ void reserve(WorkMesh& work, double expected_triangles) {
                         64);
 }
 
+/// What generate() was given, the metric read.
+struct Making {
+  const Domain& domain;
+  Mesh old_mesh;
+  std::unique_ptr<BackgroundMesh> background;
+  const GenerateOptions& options;
+  const Monitor& monitor;
+};
+
+GenerateResult verified(Collected made) {
+  require_valid(made.mesh);
+  return {std::move(made.mesh), std::move(made.metric), {}, {}, {}, {}};
+}
+
+GenerateResult make_triangles(Making making, PhaseSeconds seconds) {
+  const double expected = expected_triangles(*making.background);
+  Boundary boundary = timed(seconds.boundary, [&] {
+    return discretise_boundary(making.domain, making.old_mesh, *making.background,
+                               making.options.boundary, making.options.max_elements,
+                               making.monitor);
+  });
+  making.old_mesh = Mesh();
+  reserve(boundary.mesh, expected);
+  const FrontStatistics front = timed(seconds.front, [&] {
+    return advance_front(*making.background, boundary.mesh, making.options.front, expected,
+                         making.monitor);
+  });
+  const EnhanceStatistics enhanced = timed(seconds.enhance, [&] {
+    return improve(making.domain, *making.background, boundary, making.options, making.monitor);
+  });
+  making.background.reset();
+  GenerateResult result =
+      timed(seconds.verify, [&] { return verified(collect(making.domain, std::move(boundary))); });
+  result.front = front;
+  result.enhance = enhanced;
+  result.seconds = seconds;
+  return result;
+}
+
+GenerateResult make_quadrilaterals(Making making, PhaseSeconds seconds) {
+  const GenerateOptions& options = making.options;
+  const QuadrangulateInput input{making.domain,    making.old_mesh,     *making.background,
+                                 options.boundary, options.front,       options.enhance,
+                                 options.quads,    options.max_elements};
+  double spent = 0;
+  Quadrangulation made = timed(spent, [&] {
+    return options.elements == Elements::mixed ? quad_dominant(input, making.monitor)
+                                               : quadrangulate(input, making.monitor);
+  });
+  seconds.boundary = made.statistics.boundary;
+  seconds.front = made.statistics.front;
+  seconds.quads = std::max(spent - seconds.boundary - seconds.front, 0.);
+  if (options.elements == Elements::quadrilateral) require_quadrilaterals(made.mesh);
+  making.old_mesh = Mesh();
+  making.background.reset();
+  GenerateResult result = timed(seconds.verify, [&] {
+    return verified(collect(making.domain, std::move(made.mesh), made.point_vertices));
+  });
+  result.quads = made.statistics;
+  result.seconds = seconds;
+  return result;
+}
+
 }  // namespace
 
 GenerateOptions generate_options(Preset preset) {
@@ -79,6 +138,7 @@ GenerateOptions generate_options(Preset preset) {
   options.boundary.over_old_segments = true;
   options.front = paper_front_options();
   options.enhance.paper = true;
+  options.quads.method = QuadMethod::paper;
   return options;
 }
 
@@ -91,29 +151,10 @@ GenerateResult generate(const Domain& domain, Mesh background_mesh, MetricField 
     return std::make_unique<BackgroundMesh>(background_mesh, field, options.interpolation);
   });
   field = MetricField();  // unlike {}, which keeps the capacity
-  const double expected = expected_triangles(*background);
-  require_budget(expected, options.max_elements);
-  Boundary boundary = timed(seconds.boundary, [&] {
-    return discretise_boundary(domain, background_mesh, *background, options.boundary,
-                               options.max_elements, monitor);
-  });
-  background_mesh = Mesh();
-  reserve(boundary.mesh, expected);
-  const FrontStatistics front = timed(seconds.front, [&] {
-    return advance_front(*background, boundary.mesh, options.front, expected, monitor);
-  });
-  const EnhanceStatistics enhanced = timed(
-      seconds.enhance, [&] { return improve(domain, *background, boundary, options, monitor); });
-  background.reset();
-  GenerateResult result = timed(seconds.verify, [&] {
-    Collected made = collect(domain, std::move(boundary));
-    require_valid(made.mesh);
-    return GenerateResult{std::move(made.mesh), std::move(made.metric), {}, {}, {}};
-  });
-  result.front = front;
-  result.enhance = enhanced;
-  result.seconds = seconds;
-  return result;
+  require_budget(expected_elements(*background, options.elements), options.max_elements);
+  Making making{domain, std::move(background_mesh), std::move(background), options, monitor};
+  return options.elements == Elements::triangle ? make_triangles(std::move(making), seconds)
+                                                : make_quadrilaterals(std::move(making), seconds);
 }
 
 }  // namespace anisofront

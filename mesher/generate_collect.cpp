@@ -1,7 +1,12 @@
 #include "mesher/generate_collect.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
+
+#include "mesher/generate_faces.hpp"
+#include "mesher/geometry/describe.hpp"
+#include "mesher/geometry/error.hpp"
 
 namespace anisofront {
 namespace {
@@ -20,47 +25,71 @@ std::vector<PhysicalGroup> groups_of(const Domain& domain) {
   return groups;
 }
 
-/// Region of each triangle, spread from the segments over the neighbours.
-std::vector<Index> triangle_regions(const WorkMesh& work) {
-  std::vector<Index> region(work.triangles.size(), kNoIndex);
-  std::vector<Index> queue;
-  for (std::size_t t = 0; t < work.triangles.size(); ++t) {
-    const WorkTriangle& triangle = work.triangles[t];
-    for (int k = 0; k < 3 && !triangle.dead(); ++k) {
-      if (triangle.neighbours[k] >= 0) continue;
-      const Segment& s = work.segments[~triangle.neighbours[k]];
-      region[t] = triangle.vertices[kNext[k]] == s.a ? s.left_region : s.right_region;
-      queue.push_back(static_cast<Index>(t));
-      break;
-    }
+void add_vertices(const std::vector<WorkVertex>& vertices, const std::vector<Index>& number,
+                  Collected& result) {
+  result.mesh.points.reserve(vertices.size());
+  result.metric.reserve(vertices.size());
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] == kNoIndex) continue;
+    result.mesh.points.push_back(vertices[v].p);
+    result.metric.push_back(metric_of(vertices[v].r));
   }
-  while (!queue.empty()) {
-    const Index t = queue.back();
-    queue.pop_back();
-    for (const Index n : work.triangles[t].neighbours) {
-      if (n < 0 || region[n] != kNoIndex) continue;
-      region[n] = region[t];
-      queue.push_back(n);
-    }
-  }
-  return region;
 }
 
-/// Numbers of the vertices in the result: those in use, in order of creation.
-std::vector<Index> compact_numbers(const WorkMesh& work) {
-  std::vector<Index> number(work.vertices.size(), kNoIndex);
-  for (const WorkTriangle& t : work.triangles)
-    if (!t.dead())
-      for (const Index v : t.vertices) number[v] = 0;
-  Index next = 0;
-  for (Index& n : number)
-    if (n != kNoIndex) n = next++;
-  return number;
+/// Elements with their region tags, in new numbers.
+class ElementAdder {
+ public:
+  ElementAdder(const Domain& domain, const std::vector<Index>& number, const Mesh& mesh)
+      : domain_(domain), number_(number), mesh_(mesh) {}
+
+  template <std::size_t N>
+  void add(const std::array<Index, N>& vertices, Index region,
+           std::vector<std::array<Index, N>>& elements, std::vector<Index>& tags) const {
+    std::array<Index, N> renumbered;
+    for (std::size_t k = 0; k < N; ++k) renumbered[k] = number_[vertices[k]];
+    if (region == kNoIndex)
+      throw MeshingError("the element at " + describe(mesh_.points[renumbered[0]]) +
+                         " belongs to no region; please report it");
+    elements.push_back(renumbered);
+    tags.push_back(domain_.regions[region].tag);
+  }
+
+ private:
+  const Domain& domain_;
+  const std::vector<Index>& number_;
+  const Mesh& mesh_;
+};
+
+void add_elements(const Domain& domain, const TriangleFaces& faces,
+                  const std::vector<Index>& number, Mesh& mesh) {
+  const std::vector<Index> region = face_regions(faces, faces.work.segments);
+  const std::vector<WorkTriangle>& triangles = faces.work.triangles;
+  mesh.triangles.reserve(triangles.size());
+  mesh.triangle_regions.reserve(triangles.size());
+  const ElementAdder adder(domain, number, mesh);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (!triangles[t].dead())
+      adder.add(triangles[t].vertices, region[t], mesh.triangles, mesh.triangle_regions);
 }
 
-void add_curve_edges(const Domain& domain, const WorkMesh& work, const std::vector<Index>& number,
-                     Mesh& mesh) {
-  for (const Segment& s : work.segments) {
+void add_elements(const Domain& domain, const MixedFaces& faces,
+                  const std::vector<Segment>& segments, const std::vector<Index>& number,
+                  Mesh& mesh) {
+  const std::vector<Index> region = face_regions(faces, segments);
+  mesh.triangles.reserve(faces.triangles().size());
+  mesh.triangle_regions.reserve(faces.triangles().size());
+  mesh.quads.reserve(faces.quads().size());
+  mesh.quad_regions.reserve(faces.quads().size());
+  const ElementAdder adder(domain, number, mesh);
+  std::size_t f = 0;
+  for (const Triangle& t : faces.triangles())
+    adder.add(t, region[f++], mesh.triangles, mesh.triangle_regions);
+  for (const Quad& q : faces.quads()) adder.add(q, region[f++], mesh.quads, mesh.quad_regions);
+}
+
+void add_curve_edges(const Domain& domain, const std::vector<Segment>& segments,
+                     const std::vector<Index>& number, Mesh& mesh) {
+  for (const Segment& s : segments) {
     CurveEdge edge{{number[s.a], number[s.b]},
                    domain.curves[s.curve].tag,
                    s.curve,
@@ -90,7 +119,12 @@ void add_corners(const Domain& domain, Mesh& mesh) {
 void add_points(const Domain& domain, const std::vector<Index>& point_vertices,
                 const std::vector<Index>& number, Mesh& mesh) {
   for (std::size_t i = 0; i < domain.points.size(); ++i) {
-    const Index v = number[point_vertices[i]];
+    const Index old = point_vertices[i];
+    const Index v = old == kNoIndex ? kNoIndex : number[old];
+    if (v == kNoIndex)
+      throw MeshingError("the point \"" + domain.points[i].name + "\" at " +
+                         describe(domain.points[i].point) +
+                         " is no vertex of the mesh; please report it");
     mesh.required_vertices.push_back(v);
     if (domain.points[i].tag == 0) continue;
     mesh.vertex_tags.resize(mesh.points.size(), 0);
@@ -98,33 +132,47 @@ void add_points(const Domain& domain, const std::vector<Index>& point_vertices,
   }
 }
 
+/// What does not depend on the kind of the elements.
+void add_skeleton(const Domain& domain, const std::vector<Segment>& segments,
+                  const std::vector<Index>& point_vertices, const std::vector<Index>& number,
+                  Mesh& mesh) {
+  mesh.groups = groups_of(domain);
+  add_curve_edges(domain, segments, number, mesh);
+  add_corners(domain, mesh);
+  add_points(domain, point_vertices, number, mesh);
+}
+
 }  // namespace
+
+void require_quadrilaterals(const MixedMesh& mesh) {
+  const auto is_triangle = [](const MixedFace& face) { return !face.is_quad(); };
+  const auto first = std::find_if(mesh.faces.begin(), mesh.faces.end(), is_triangle);
+  if (first == mesh.faces.end()) return;
+  throw MeshingError(std::to_string(std::count_if(first, mesh.faces.end(), is_triangle)) +
+                     " triangles could not be turned into quadrilaterals, the first at " +
+                     describe(mesh.vertices[first->vertices[0]].p) +
+                     "; refine the metric there, or ask for mixed elements, which keep triangles");
+}
 
 Collected collect(const Domain& domain, Boundary boundary) {
   const WorkMesh& work = boundary.mesh;
+  const TriangleFaces faces{work};
   Collected result;
-  Mesh& mesh = result.mesh;
-  const std::vector<Index> number = compact_numbers(work);
-  mesh.points.reserve(work.vertices.size());
-  result.metric.reserve(work.vertices.size());
-  for (std::size_t v = 0; v < number.size(); ++v) {
-    if (number[v] == kNoIndex) continue;
-    mesh.points.push_back(work.vertices[v].p);
-    result.metric.push_back(metric_of(work.vertices[v].r));
-  }
-  const std::vector<Index> region = triangle_regions(work);
-  mesh.triangles.reserve(work.triangles.size());
-  mesh.triangle_regions.reserve(work.triangles.size());
-  for (std::size_t t = 0; t < region.size(); ++t) {
-    if (work.triangles[t].dead()) continue;
-    const auto& v = work.triangles[t].vertices;
-    mesh.triangles.push_back({number[v[0]], number[v[1]], number[v[2]]});
-    mesh.triangle_regions.push_back(domain.regions[region[t]].tag);
-  }
-  mesh.groups = groups_of(domain);
-  add_curve_edges(domain, work, number, mesh);
-  add_corners(domain, mesh);
-  add_points(domain, boundary.point_vertices, number, mesh);
+  const std::vector<Index> number = compact_numbers(faces, work.vertices.size());
+  add_vertices(work.vertices, number, result);
+  add_elements(domain, faces, number, result.mesh);
+  add_skeleton(domain, work.segments, boundary.point_vertices, number, result.mesh);
+  return result;
+}
+
+Collected collect(const Domain& domain, MixedMesh work, const std::vector<Index>& point_vertices) {
+  const MixedFaces faces(work.faces, work.segments, work.vertices.size());
+  work.faces = std::vector<MixedFace>();  // unlike {}, which keeps the capacity
+  Collected result;
+  const std::vector<Index> number = compact_numbers(faces, work.vertices.size());
+  add_vertices(work.vertices, number, result);
+  add_elements(domain, faces, work.segments, number, result.mesh);
+  add_skeleton(domain, work.segments, point_vertices, number, result.mesh);
   return result;
 }
 

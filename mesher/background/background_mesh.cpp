@@ -135,6 +135,13 @@ void BackgroundMesh::renumber_if_scattered() {
     for (Index& v : q) v = new_vertex[v];
 }
 
+void BackgroundMesh::set_size_factor(double factor) {
+  if (!(std::isfinite(factor) && factor > 0))
+    throw InputError("the size factor of the background mesh is " + std::to_string(factor) +
+                     "; give a finite number greater than zero");
+  size_factor_ = factor;
+}
+
 Index BackgroundMesh::element_of(Index triangle) const {
   return element_of_.empty() ? triangle : element_of_[triangle];
 }
@@ -285,7 +292,8 @@ MetricFactor BackgroundMesh::factor_at(Point p, Index& hint) const {
   if (interpolation_ != Interpolation::linear_size || !quads_.empty())
     return factor_of(interpolate_at(stop, p));
   const auto& v = triangles_[hint].vertices;
-  const double s = 1 / (stop.areas[0] + stop.areas[1] + stop.areas[2]);
+  // H is linear in the weights, so the size factor costs nothing here.
+  const double s = size_factor_ / (stop.areas[0] + stop.areas[1] + stop.areas[2]);
   const double w0 = stop.areas[0] * s, w1 = stop.areas[1] * s, w2 = stop.areas[2] * s;
   const Vertex &a = vertices_[v[0]], &b = vertices_[v[1]], &c = vertices_[v[2]];
   return factor_of(SizeTensor{w0 * a.t11 + w1 * b.t11 + w2 * c.t11,
@@ -310,6 +318,10 @@ Metric metric_from_tensor(Interpolation interpolation, double t11, double t12, d
 }  // namespace
 
 Metric BackgroundMesh::interpolate_at(const Stop& stop, Point p) const {
+  return scaled(field_at(stop, p), 1 / (size_factor_ * size_factor_));
+}
+
+Metric BackgroundMesh::field_at(const Stop& stop, Point p) const {
   const Index element = element_of(stop.triangle);
   if (element >= plain_triangles_) return interpolate_in_quad(element - plain_triangles_, p);
   const auto& v = triangles_[stop.triangle].vertices;

@@ -46,11 +46,18 @@ class BackgroundMesh {
   /// Metric at p; outside: at the nearest point of the mesh.
   Metric metric_at(Point p, Index& hint) const;
 
+  /// From now on all sizes returned are `factor` times those of the field: metrics (and complexity)
+  /// are divided by factor^2. Relative to the field, not to earlier calls; 1 gives the field back
+  /// bit for bit, and powers of two are exact. Must not be called while other threads read.
+  /// Throws InputError unless factor is finite and greater than zero.
+  void set_size_factor(double factor);
+  double size_factor() const { return size_factor_; }
+
   Index triangle_count() const { return static_cast<Index>(triangles_.size()); }
   const Box& bounds() const { return bounds_; }
 
   /// Integral of sqrt(det M) (metric area of the domain).
-  double complexity() const { return complexity_; }
+  double complexity() const { return complexity_ / (size_factor_ * size_factor_); }
 
  private:
   /// Position and the tensor that is interpolated: M^(-1/2), log M or M itself.
@@ -89,6 +96,8 @@ class BackgroundMesh {
   Nearest nearest_on_boundary(Point p) const;
   Box box_of(Index triangle) const;
   Metric interpolate_at(const Stop& stop, Point p) const;
+  /// The same without the size factor.
+  Metric field_at(const Stop& stop, Point p) const;
   Metric interpolate_in_quad(Index quad, Point p) const;
 
   Interpolation interpolation_;
@@ -98,7 +107,8 @@ class BackgroundMesh {
   std::vector<Index> element_of_;  ///< empty: walker i is element i
   std::vector<std::array<Index, 4>> quads_;
   Box bounds_;
-  double complexity_ = 0;
+  double complexity_ = 0;  ///< of the field itself
+  double size_factor_ = 1;
   mutable std::once_flag tree_once_;
   mutable std::unique_ptr<AlternatingDigitalTree> tree_;  ///< of the triangles
   mutable std::once_flag boundary_once_;

@@ -76,4 +76,14 @@ std::vector<Index> insert_required_points(Patch& patch, const std::vector<Point>
   return vertices;
 }
 
+void insert_inner_points(const Domain& domain, Patch& patch, std::vector<Index>& point_vertices) {
+  std::vector<Point> inner;
+  for (std::size_t i = 0; i < point_vertices.size(); ++i)
+    if (point_vertices[i] == kNoIndex) inner.push_back(domain.points[i].point);
+  const std::vector<Index> inserted = insert_required_points(patch, inner);
+  std::size_t next = 0;
+  for (Index& v : point_vertices)
+    if (v == kNoIndex) v = inserted[next++];
+}
+
 }  // namespace anisofront

@@ -7,6 +7,7 @@
 #include "mesher/front/front.hpp"
 #include "mesher/front/ideal_point.hpp"
 #include "mesher/front/paper_formation.hpp"
+#include "mesher/front/right_angle.hpp"
 #include "mesher/front/visibility.hpp"
 #include "mesher/geometry/predicates.hpp"
 
@@ -102,7 +103,9 @@ class Advancer {
     const MetricFactor& rb = mesh_.vertices[base.vb].r;
     const MetricFactor mean{0.5 * (ra.a + rb.a), 0.5 * (ra.b + rb.b), 0.5 * (ra.c + rb.c)};
     Index apex = options_.formation == ElementFormation::fast ? fast_apex(base, base_id, mean)
-                                                              : paper_apex(base, base_id);
+                 : options_.formation == ElementFormation::right_angle
+                     ? right_angle_apex(base, base_id)
+                     : paper_apex(base, base_id);
     if (apex == kNoIndex) apex = visible_vertex(base, base_id, mean);
     front_.form_element(base_id, apex);
   }
@@ -110,9 +113,9 @@ class Advancer {
   double mu(const FrontEdge& base, Point c, const MetricFactor& at_c) const {
     const WorkVertex& a = mesh_.vertices[base.va];
     const WorkVertex& b = mesh_.vertices[base.vb];
-    return options_.formation == ElementFormation::fast
-               ? fast_mu(a, b, c, at_c)
-               : paper_mu(background_, a, b, {c, at_c, a.hint});
+    if (options_.formation == ElementFormation::fast) return fast_mu(a, b, c, at_c);
+    if (options_.formation == ElementFormation::right_angle) return right_angle_mu(a, b, c, at_c);
+    return paper_mu(background_, a, b, {c, at_c, a.hint});
   }
 
   void search(const FrontEdge& base, Index base_id, const TrialPoint& trial) {
@@ -213,19 +216,40 @@ class Advancer {
     }
   }
 
+  /// Steps (iv) and (v) for one trial point.
+  Index apex_near(const FrontEdge& base, Index base_id, const TrialPoint& trial) {
+    search(base, base_id, trial);
+    collect_vertices(base, trial);
+    const double closeness2 = options_.closeness * options_.closeness;
+    if (squared_distance_to_front(trial) >= closeness2) add_trial(base, trial);
+    return best_valid(base, trial);
+  }
+
   /// Steps (ii)-(vi) to the letter.
   Index paper_apex(const FrontEdge& base, Index base_id) {
     const WorkVertex a = mesh_.vertices[base.va], b = mesh_.vertices[base.vb];
     const PaperOffset offset = paper_offset(background_, a, b);
     TrialPoint trial = offset.best;
     do {
-      search(base, base_id, trial);
-      collect_vertices(base, trial);
-      const double closeness2 = options_.closeness * options_.closeness;
-      if (squared_distance_to_front(trial) >= closeness2) add_trial(base, trial);
-      const Index found = best_valid(base, trial);
+      const Index found = apex_near(base, base_id, trial);
       if (found != kNoIndex) return found;
     } while (contract(offset.midpoint, options_.least_offset, trial));
+    return kNoIndex;
+  }
+
+  /// The same for half squares: above both ends of a leg before the point is contracted.
+  Index right_angle_apex(const FrontEdge& base, Index base_id) {
+    const WorkVertex a = mesh_.vertices[base.va], b = mesh_.vertices[base.vb];
+    const RightAngleOffset offset = right_angle_offset(background_, a, b, options_.newton_steps);
+    for (int k = 0; k < offset.count; ++k) {
+      const Index found = apex_near(base, base_id, offset.trials[k]);
+      if (found != kNoIndex) return found;
+    }
+    TrialPoint trial = offset.trials[0];
+    while (contract(offset.midpoint, options_.least_offset, trial)) {
+      const Index found = apex_near(base, base_id, trial);
+      if (found != kNoIndex) return found;
+    }
     return kNoIndex;
   }
 
@@ -288,6 +312,13 @@ FrontOptions paper_front_options() {
   options.order = BaseOrder::physical_length;
   options.formation = ElementFormation::paper;
   options.closeness = 0.1;
+  return options;
+}
+
+FrontOptions right_angle_front_options() {
+  FrontOptions options;
+  options.order = BaseOrder::age;
+  options.formation = ElementFormation::right_angle;
   return options;
 }
 

@@ -11,8 +11,9 @@ namespace anisofront {
 
 /// How the apex of a new element is judged and placed.
 enum class ElementFormation {
-  fast,   ///< Newton-corrected ideal point, mean metrics, log-mean lengths
-  paper,  ///< best of C1, C2, C3 (Eqn 23, App. C), alpha~ and Appendix B lengths
+  fast,         ///< Newton-corrected ideal point, mean metrics, log-mean lengths
+  paper,        ///< best of C1, C2, C3 (Eqn 23, App. C), alpha~ and Appendix B lengths
+  right_angle,  ///< right isosceles triangles, two of which form a square
 };
 
 struct FrontOptions {
@@ -24,7 +25,8 @@ struct FrontOptions {
   double closeness = 0.55;
   /// Radius of the search ellipse in metric length (the paper: 0.75).
   double search_radius = 0.75;
-  /// Most Newton steps on l(AC) = l(BC) = 1 for the ideal point (fast only).
+  /// Most Newton steps on l(AC) = l(BC) = 1 for the ideal point (fast), or on the unit leg
+  /// (right_angle).
   int newton_steps = 2;
   /// Length of DC below which the contracted ideal point is given up (step vi).
   double least_offset = 0.1;
@@ -32,6 +34,11 @@ struct FrontOptions {
 
 /// The paper to the letter: shortest physical base, closeness 0.1.
 FrontOptions paper_front_options();
+
+/// Right isosceles triangles in layers from the boundary on, as a start for quadrilaterals: bases
+/// by age, apices at 90 degrees above an end of legs, at 45 degrees over hypotenuses. Twice the
+/// complexity of the background is the number of triangles to be expected.
+FrontOptions right_angle_front_options();
 
 struct FrontStatistics {
   std::int64_t steps = 0;  ///< elements formed

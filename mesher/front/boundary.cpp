@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 
+#include "mesher/front/boundary_parts.hpp"
 #include "mesher/front/boundary_validity.hpp"
 #include "mesher/front/curve_frame.hpp"
-#include "mesher/front/curve_profile.hpp"
+#include "mesher/front/parity.hpp"
+#include "mesher/front/piece_cutter.hpp"
 #include "mesher/geometry/error.hpp"
-#include "mesher/mesh/boundary_domain.hpp"
 
 namespace anisofront {
 namespace {
@@ -21,30 +21,33 @@ class Discretiser {
   Discretiser(const Domain& domain, const Mesh& old_mesh, const BackgroundMesh& background,
               const BoundaryOptions& options, std::int64_t max_segments, const Monitor& monitor)
       : domain_(domain),
-        old_mesh_(old_mesh),
         background_(background),
         options_(options),
         max_segments_(max_segments),
         monitor_(monitor),
-        curve_segments_(domain.curves.size()) {
-    const Vector diagonal = background.bounds().high - background.bounds().low;
-    const double tolerance = 1e-12 * norm(diagonal);
-    negligible_ = 1e3 * tolerance;
-    frame_ = make_curve_frame(domain, tolerance, monitor);
-  }
+        negligible_(1e3 * join_tolerance(background)),
+        frame_(make_curve_frame(domain, join_tolerance(background), monitor)),
+        cutter_(domain, old_mesh, background, options, static_cast<double>(max_segments), frame_) {}
 
   Boundary run() {
-    for (const Point p : frame_.vertices) add_vertex(p);
     boundary_.point_vertices = frame_.point_vertices;
-    collect_old_edges();
-    for (const CurvePiece& piece : frame_.pieces) cut(piece, profile_of(piece));
-    if (options_.chord_height > 0) limit_chord_height();
-    resolve_conflicts();
+    start_mesh();
+    for (const CurvePiece& piece : frame_.pieces) {
+      cuts_.push_back(cutter_.cut(piece, hint_));
+      lay(static_cast<Index>(cuts_.size()) - 1);
+    }
+    refine();
+    if (options_.even) make_even();
     warn_about_gaps();
     return std::move(boundary_);
   }
 
  private:
+  /// Ends of curves that are nearer to each other are one point.
+  static double join_tolerance(const BackgroundMesh& background) {
+    return 1e-12 * norm(background.bounds().high - background.bounds().low);
+  }
+
   const NurbsCurve& curve(Index c) const { return domain_.curves[c].curve; }
   const std::string& name(Index c) const { return domain_.curves[c].name; }
 
@@ -53,80 +56,31 @@ class Discretiser {
     return static_cast<Index>(boundary_.mesh.vertices.size()) - 1;
   }
 
-  /// Edges of the old mesh by curve, each and all in the direction of the parameter.
-  void collect_old_edges() {
-    if (!options_.over_old_segments) return;
-    old_edges_.resize(domain_.curves.size());
-    for (CurveEdge edge : old_mesh_.edges) {
-      if (edge.curve < 0 || edge.curve >= static_cast<Index>(old_edges_.size()) ||
-          crosses_seam(curve(edge.curve), edge.parameters))
-        continue;
-      if (edge.parameters[0] > edge.parameters[1]) {
-        std::swap(edge.parameters[0], edge.parameters[1]);
-        std::swap(edge.vertices[0], edge.vertices[1]);
-      }
-      old_edges_[edge.curve].push_back(edge);
-    }
-    for (auto& edges : old_edges_)
-      std::sort(edges.begin(), edges.end(), [](const CurveEdge& e, const CurveEdge& f) {
-        return e.parameters[0] < f.parameters[0];
-      });
+  /// An empty mesh but for the vertices of the frame.
+  void start_mesh() {
+    boundary_.mesh = {};
+    piece_of_segment_.clear();
+    curve_segments_.assign(domain_.curves.size(), {});
+    for (const Point p : frame_.vertices) add_vertex(p);
   }
 
-  /// The old edges that cover the piece without gaps, or nothing.
-  std::vector<CurveEdge> old_edges_of(const CurvePiece& piece) const {
-    if (!options_.over_old_segments) return {};
-    const double slack = 1e-9 * (piece.t1 - piece.t0);
-    std::vector<CurveEdge> edges;
-    double reached = piece.t0;
-    for (const CurveEdge& edge : old_edges_[piece.curve]) {
-      if (edge.parameters[1] <= piece.t0 + slack || edge.parameters[0] >= piece.t1 - slack)
-        continue;
-      if (std::fabs(edge.parameters[0] - reached) > slack) return {};
-      reached = edge.parameters[1];
-      edges.push_back(edge);
-    }
-    if (std::fabs(reached - piece.t1) > slack) return {};
-    return edges;
-  }
-
-  CurveProfile profile_of(const CurvePiece& piece) {
-    const std::vector<CurveEdge> old_edges = old_edges_of(piece);
-    if (!old_edges.empty()) return measure_old_segments(background_, old_mesh_, old_edges, hint_);
-    return sample_curve(background_, curve(piece.curve), piece.t0, piece.t1, options_.sample_length,
-                        static_cast<double>(max_segments_), hint_);
-  }
-
-  std::vector<double> cut_parameters(const CurvePiece& piece, const CurveProfile& profile) {
-    const Index least = piece.start == piece.end ? 3 : 1;  // a closed curve needs three edges
-    if (options_.over_old_segments || is_straight(curve(piece.curve)))
-      return equal_parts(profile, std::max(segment_count(profile.total()), least));
-    return equal_chords(background_, curve(piece.curve), profile, least, hint_);
-  }
-
-  static bool is_straight(const NurbsCurve& c) {
-    const Point a = c.points.front(), b = c.points.back();
-    const double scale = norm(b - a);
-    if (scale == 0) return false;  // closed
-    return std::all_of(c.points.begin(), c.points.end(), [&](Point p) {
-      return std::fabs(twice_area(a, b, p)) <= 1e-12 * scale * scale && dot(p - a, b - a) >= 0 &&
-             dot(p - b, a - b) >= 0;
-    });
-  }
-
-  void cut(const CurvePiece& piece, const CurveProfile& profile) {
-    const std::vector<double> t = cut_parameters(piece, profile);
+  /// Adds the segments of a piece that has been cut.
+  void lay(Index id) {
+    const CurvePiece& piece = frame_.pieces[id];
+    const std::vector<double>& t = cuts_[id];
     Index from = piece.start;
     for (std::size_t k = 1; k < t.size(); ++k) {
       const bool last = k + 1 == t.size();
       const Index to = last ? piece.end : add_vertex(evaluate(curve(piece.curve), t[k]));
       add_segment({from, to, piece.curve, k == 1 ? piece.t0 : t[k - 1], last ? piece.t1 : t[k],
-                   frame_.sides[piece.curve].left, frame_.sides[piece.curve].right});
+                   frame_.sides[piece.curve].left, frame_.sides[piece.curve].right},
+                  id);
       from = to;
     }
   }
 
-  void add_segment(const Segment& segment) {
+  void add_segment(const Segment& segment, Index piece) {
+    piece_of_segment_.push_back(piece);
     curve_segments_[segment.curve].push_back(static_cast<Index>(boundary_.mesh.segments.size()));
     boundary_.mesh.segments.push_back(segment);
     if (static_cast<std::int64_t>(boundary_.mesh.segments.size()) > max_segments_)
@@ -154,7 +108,12 @@ class Discretiser {
     Segment second = s;
     s.b = second.a = middle;
     s.parameter_b = second.parameter_a = t;
-    add_segment(second);
+    add_segment(second, piece_of_segment_[id]);
+  }
+
+  void refine() {
+    if (options_.chord_height > 0) limit_chord_height();
+    resolve_conflicts();
   }
 
   void limit_chord_height() {
@@ -222,6 +181,58 @@ class Discretiser {
     }
   }
 
+  /// First by one edge more or less on some pieces; where refinement has made numbers odd, by
+  /// halving longest segments.
+  void make_even() {
+    std::vector<ParityLink> links = links_between_parts();
+    if (odd_parts(parts_).empty()) return;
+    std::vector<PieceCutter::Change> changes;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      changes.push_back(cutter_.cheapest_change(frame_.pieces[i], cuts_[i], hint_));
+      links[i].cost = changes[i].cost;
+    }
+    for (const Index i : parity_changes(links))
+      cuts_[i] = cutter_.cut_into(frame_.pieces[i], changes[i].count, hint_);
+    start_mesh();
+    for (Index i = 0; i < static_cast<Index>(cuts_.size()); ++i) lay(i);
+    refine();
+    while (halve_for_parity()) resolve_conflicts();
+  }
+
+  /// The parts, as the mesh is now, on both sides of each piece.
+  std::vector<ParityLink> links_between_parts() {
+    parts_ = find_parts(boundary_.mesh);
+    std::vector<ParityLink> links(frame_.pieces.size());
+    for (std::size_t s = 0; s < piece_of_segment_.size(); ++s) {
+      const auto& [left, right] = parts_.of_segment[s];
+      links[piece_of_segment_[s]] = {left, right, 0};
+    }
+    return links;
+  }
+
+  std::vector<Index> parity_changes(const std::vector<ParityLink>& links) const {
+    return cheapest_parity_changes(links, parts_.count, odd_parts(parts_));
+  }
+
+  /// Halves the longest segments of some pieces so that all parts become even; false when they are.
+  bool halve_for_parity() {
+    std::vector<ParityLink> links = links_between_parts();
+    std::vector<Index> longest(links.size(), kNoIndex);
+    std::vector<double> length(links.size(), 0);
+    for (std::size_t i = 0; i < piece_of_segment_.size(); ++i) {
+      const Segment& s = boundary_.mesh.segments[i];
+      const double l = edge_length(boundary_.mesh.vertices[s.a], boundary_.mesh.vertices[s.b]);
+      const Index id = piece_of_segment_[i];
+      if (l <= length[id]) continue;
+      length[id] = l;
+      longest[id] = static_cast<Index>(i);
+    }
+    for (std::size_t i = 0; i < links.size(); ++i) links[i].cost = 1 / length[i];
+    const std::vector<Index> changes = parity_changes(links);
+    for (const Index id : changes) halve(longest[id]);
+    return !changes.empty();
+  }
+
   void warn_about_gaps() const {
     constexpr double kNarrow = 0.05;
     const auto gap = find_narrow_gap(boundary_.mesh, kNarrow);
@@ -234,16 +245,18 @@ class Discretiser {
   }
 
   const Domain& domain_;
-  const Mesh& old_mesh_;
   const BackgroundMesh& background_;
   const BoundaryOptions& options_;
   std::int64_t max_segments_;
   const Monitor& monitor_;
   double negligible_;  ///< distance from its curve at which an edge counts as the curve
   CurveFrame frame_;
+  PieceCutter cutter_;
   Index hint_ = 0;
-  std::vector<std::vector<CurveEdge>> old_edges_;
+  std::vector<std::vector<double>> cuts_;  ///< per piece: parameters of its vertices
+  std::vector<Index> piece_of_segment_;
   std::vector<std::vector<Index>> curve_segments_;
+  BoundaryParts parts_;
   Boundary boundary_;
 };
 

@@ -192,20 +192,26 @@ void weigh_by_chords(CurveProfile& profile, const std::vector<double>& ends,
   profile = std::move(scaled);
 }
 
-}  // namespace
+/// Numbers of edges that are allowed.
+struct CountRange {
+  Index least, most;
+};
 
-std::vector<double> equal_chords(const BackgroundMesh& background, const NurbsCurve& curve,
-                                 CurveProfile profile, Index least_count, Index& hint) {
+std::vector<double> equal_chords_within(const BackgroundMesh& background, const NurbsCurve& curve,
+                                        CurveProfile profile, CountRange range, Index& hint) {
   constexpr int kIterations = 12;
   constexpr double kEven = 0.02;
-  Index count = std::max(segment_count(profile.total()), least_count);
+  const auto allowed = [&](double length) {
+    return std::clamp(segment_count(length), range.least, range.most);
+  };
+  Index count = allowed(profile.total());
   // Chords of fewer edges are longer: `low` edges are known to be too few, `high` to be enough.
-  Index low = least_count - 1, high = std::numeric_limits<Index>::max();
+  Index low = range.least - 1, high = range.most;
   std::vector<double> ends = equal_parts(profile, count);
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     const std::vector<double> chords = chord_lengths(background, curve, ends, hint);
     const double total = std::accumulate(chords.begin(), chords.end(), 0.);
-    const Index wanted = std::max(segment_count(total), least_count);
+    const Index wanted = allowed(total);
     const auto [shortest, longest] = std::minmax_element(chords.begin(), chords.end());
     const bool even = *longest - *shortest < kEven * total / count;
     (wanted > count ? low : high) = count;
@@ -219,6 +225,25 @@ std::vector<double> equal_chords(const BackgroundMesh& background, const NurbsCu
     ends = equal_parts(profile, count);
   }
   return ends;
+}
+
+}  // namespace
+
+std::vector<double> equal_chords(const BackgroundMesh& background, const NurbsCurve& curve,
+                                 CurveProfile profile, Index least_count, Index& hint) {
+  const CountRange range{least_count, std::numeric_limits<Index>::max()};
+  return equal_chords_within(background, curve, std::move(profile), range, hint);
+}
+
+std::vector<double> equal_chords_of_count(const BackgroundMesh& background, const NurbsCurve& curve,
+                                          CurveProfile profile, Index count, Index& hint) {
+  return equal_chords_within(background, curve, std::move(profile), {count, count}, hint);
+}
+
+double total_chord_length(const BackgroundMesh& background, const NurbsCurve& curve,
+                          const std::vector<double>& parameters, Index& hint) {
+  const std::vector<double> chords = chord_lengths(background, curve, parameters, hint);
+  return std::accumulate(chords.begin(), chords.end(), 0.);
 }
 
 }  // namespace anisofront

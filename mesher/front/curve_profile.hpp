@@ -39,6 +39,14 @@ std::vector<double> equal_parts(const CurveProfile& profile, Index count);
 std::vector<double> equal_chords(const BackgroundMesh& background, const NurbsCurve& curve,
                                  CurveProfile profile, Index least_count, Index& hint);
 
+/// The same for a given number of edges.
+std::vector<double> equal_chords_of_count(const BackgroundMesh& background, const NurbsCurve& curve,
+                                          CurveProfile profile, Index count, Index& hint);
+
+/// Metric length of the chords between the points of the curve at the given parameters.
+double total_chord_length(const BackgroundMesh& background, const NurbsCurve& curve,
+                          const std::vector<double>& parameters, Index& hint);
+
 /// Metric length of a straight segment by a fixed composite rule on the background.
 double chord_length(const BackgroundMesh& background, Point a, Point b, Index& hint);
 

@@ -12,12 +12,13 @@ constexpr double kUnitLow = 0.98, kUnitHigh = 1.02;
 
 void FrontQueue::push(Index edge, Index version, double squared_metric_length,
                       double squared_length) {
-  if (order_ != BaseOrder::metric_class) {
+  if (is_by_length()) {
     const double key = order_ == BaseOrder::metric_length ? squared_metric_length : squared_length;
     shortest_.push({key, age_++, {edge, version}});
     return;
   }
-  const int k = squared_metric_length < kUnitLow ? 0 : squared_metric_length < kUnitHigh ? 1 : 2;
+  const bool first = order_ == BaseOrder::age || squared_metric_length < kUnitLow;
+  const int k = first ? 0 : squared_metric_length < kUnitHigh ? 1 : 2;
   classes_[k].entries.push_back({edge, version});
 }
 
@@ -38,7 +39,7 @@ Index FrontQueue::pop_class(const std::vector<FrontEdge>& edges, Fifo& fifo) {
 }
 
 Index FrontQueue::pop(const std::vector<FrontEdge>& edges) {
-  if (order_ == BaseOrder::metric_class) {
+  if (!is_by_length()) {
     for (Fifo& fifo : classes_) {
       const Index edge = pop_class(edges, fifo);
       if (edge != kNoIndex) return edge;

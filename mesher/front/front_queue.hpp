@@ -15,6 +15,7 @@ enum class BaseOrder {
   metric_class,     ///< three classes of metric length (short, unit, long), oldest first in each:
                     ///< keeps the front short, so fast and best for large meshes
   physical_length,  ///< the shortest in physical space (the paper), ties by age
+  age,              ///< oldest first: layer by layer from the boundary
 };
 
 /// The order in which front edges become base segments. Removal is lazy: an entry counts only while
@@ -49,10 +50,13 @@ class FrontQueue {
     }
   };
 
+  bool is_by_length() const {
+    return order_ == BaseOrder::metric_length || order_ == BaseOrder::physical_length;
+  }
   Index pop_class(const std::vector<FrontEdge>& edges, Fifo& fifo);
 
   BaseOrder order_;
-  std::array<Fifo, 3> classes_;
+  std::array<Fifo, 3> classes_;  ///< order age uses the first only
   std::priority_queue<Keyed> shortest_;
   std::uint64_t age_ = 0;
 };

@@ -16,6 +16,12 @@ namespace {
 
 constexpr double kSubSegment = 0.1;
 
+void require_one_per_vertex(const Mesh& mesh, const MetricField& field) {
+  if (field.size() != mesh.points.size())
+    throw InputError("the metric field has " + std::to_string(field.size()) +
+                     " entries, expected one per vertex: " + std::to_string(mesh.points.size()));
+}
+
 /// A metric given by a function: vertices are looked up once, the rest where it is asked for.
 class FunctionSource {
  public:
@@ -49,9 +55,7 @@ class FunctionSource {
 class FieldSource {
  public:
   FieldSource(const Mesh& mesh, const MetricField& field) : mesh_(mesh), field_(field) {
-    if (field.size() != mesh.points.size())
-      throw InputError("the metric field has " + std::to_string(field.size()) +
-                       " entries, expected one per vertex: " + std::to_string(mesh.points.size()));
+    require_one_per_vertex(mesh, field);
     sizes_.reserve(field.size());
     for (const Metric& m : field) sizes_.push_back(size_of(m));
   }
@@ -198,23 +202,29 @@ std::array<T, N> gather(const std::vector<T>& values, const std::array<Index, N>
   return result;
 }
 
-void measure_elements(const Mesh& mesh, const MetricField& metrics, MeshStatistics& statistics) {
+std::vector<double> qualities(const Mesh& mesh, const MetricField& metrics) {
   std::vector<MetricFactor> factors(metrics.size());
   std::transform(metrics.begin(), metrics.end(), factors.begin(),
                  [](const Metric& m) { return factor_of(m); });
+  std::vector<double> result;
+  result.reserve(mesh.triangles.size() + mesh.quads.size());
+  for (const Triangle& t : mesh.triangles)
+    result.push_back(alpha(gather(factors, t), gather(mesh.points, t)));
+  for (const Quad& q : mesh.quads)
+    result.push_back(beta(gather(factors, q), gather(mesh.points, q)));
+  return result;
+}
+
+void measure_elements(const Mesh& mesh, const MetricField& metrics, MeshStatistics& statistics) {
   Range quality, angles;
   double log_sum = 0;
-  const auto add = [&](double q) {
+  for (const double q : qualities(mesh, metrics)) {
     quality.add(q);
     log_sum += std::log(std::max(q, 0.));
-  };
-  for (const Triangle& t : mesh.triangles) {
-    add(alpha(gather(factors, t), gather(mesh.points, t)));
-    add_angles(mesh, metrics, t, angles);
   }
+  for (const Triangle& t : mesh.triangles) add_angles(mesh, metrics, t, angles);
   statistics.scaled_jacobian_min = 1;
   for (const Quad& q : mesh.quads) {
-    add(beta(gather(factors, q), gather(mesh.points, q)));
     add_angles(mesh, metrics, q, angles);
     statistics.scaled_jacobian_min =
         std::min(statistics.scaled_jacobian_min, scaled_jacobian(mesh, q));
@@ -249,6 +259,18 @@ MeshStatistics mesh_statistics(const Mesh& mesh, const MetricFunction& metric) {
 
 MeshStatistics mesh_statistics(const Mesh& mesh, const MetricField& field) {
   return statistics_of(FieldSource(mesh, field), mesh);
+}
+
+std::vector<double> element_qualities(const Mesh& mesh, const MetricField& field) {
+  require_one_per_vertex(mesh, field);
+  return qualities(mesh, field);
+}
+
+std::vector<double> scaled_jacobians(const Mesh& mesh) {
+  std::vector<double> result(mesh.triangles.size(), 1);
+  result.reserve(mesh.triangles.size() + mesh.quads.size());
+  for (const Quad& q : mesh.quads) result.push_back(scaled_jacobian(mesh, q));
+  return result;
 }
 
 double metric_complexity(const Mesh& mesh, const MetricField& field) {

@@ -41,6 +41,14 @@ MeshStatistics mesh_statistics(const Mesh& mesh, const MetricFunction& metric);
 /// Throws InputError when the field does not hold one metric per vertex.
 MeshStatistics mesh_statistics(const Mesh& mesh, const MetricField& field);
 
+/// alpha~ of every triangle, then beta~ of every quad, in the metrics at the vertices (Eqns 15,
+/// 16). Throws InputError when the field does not hold one metric per vertex.
+std::vector<double> element_qualities(const Mesh& mesh, const MetricField& field);
+
+/// The least sine of the corner angles of every element, in the plane: 1 for rectangles, negative
+/// where a corner is concave. 1 for triangles, which come first.
+std::vector<double> scaled_jacobians(const Mesh& mesh);
+
 /// Ideal number of triangles, (4 / sqrt 3) * integral of sqrt(det M), of a field on a mesh
 /// (degree-2 quadrature per element); the integral itself is the ideal number of quads.
 /// Throws InputError when the field does not hold one metric per vertex.

@@ -12,12 +12,26 @@ using namespace anisofront::test;
 
 namespace {
 
+/// n x n squares on the unit square.
+Mesh square_of_quads(Index n) {
+  Mesh mesh;
+  for (Index j = 0; j <= n; ++j)
+    for (Index i = 0; i <= n; ++i) mesh.points.push_back({1. * i / n, 1. * j / n});
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i) {
+      const Index a = j * (n + 1) + i;
+      mesh.quads.push_back({a, a + 1, a + n + 2, a + n + 1});
+    }
+  mesh.quad_regions.assign(mesh.quads.size(), 1);
+  return mesh;
+}
+
 /// A mesher for uniform metrics on the unit square: a grid of the size at the first vertex.
 GenerateResult make_grid(const Domain&, const Mesh&, const MetricField& field,
                          const GenerateOptions&, const Monitor&) {
   GenerateResult result;
   result.mesh = square_mesh(static_cast<Index>(std::lround(std::sqrt(field[0].m11))));
-  result.seconds = {1, 2, 3, 4, 5};
+  result.seconds = {1, 2, 3, 4, 5, 6};
   return result;
 }
 
@@ -86,6 +100,25 @@ TEST_SUITE("unit") {
     CHECK(seconds.metric == 1 + 10);
     CHECK(seconds.front == 2 + 3);
     CHECK(seconds.enhance == 4 + 5);
+    CHECK(seconds.quads == 6);
+  }
+
+  TEST_CASE("quadrilaterals are counted and measured with beta") {
+    std::vector<int> calls;
+    LoopInput input = grid_input(growing_grid(calls), 2);
+    input.make_mesh = [](const Domain&, const Mesh&, const MetricField& field,
+                         const GenerateOptions&, const Monitor&) {
+      GenerateResult result;
+      result.mesh = square_of_quads(static_cast<Index>(std::lround(std::sqrt(field[0].m11))));
+      return result;
+    };
+    const MeshStatistics s = adapt_loop(input).cycles[2].background;
+    CHECK(s.quads == 64);  // 8 x 8 squares of the size asked for on 4 x 4 squares
+    CHECK(s.triangles == 0);
+    CHECK(s.quality_min == doctest::Approx(1));
+    CHECK(s.length_max == doctest::Approx(1));
+    CHECK(s.angle_min == doctest::Approx(90));
+    CHECK(s.scaled_jacobian_min == doctest::Approx(1));
   }
 
   TEST_CASE("the loop stops at the mesh that reaches the target") {

@@ -118,6 +118,22 @@ TEST_SUITE("unit") {
     CHECK_THROWS_AS(analyse_scalar(layer_problem(0.1), {}, with_error(-1)), UsageError);
   }
 
+  TEST_CASE("a prescribed metric is sampled at the vertices of quadrilaterals too") {
+    Mesh mesh;
+    mesh.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {3, 0}, {3, 1}};
+    mesh.quads = {{0, 1, 2, 3}, {1, 4, 5, 2}};
+    mesh.quad_regions = {1, 1};
+    const auto jump = [](Point p) { return metric_from_size(p.x < 2 ? 0.1 : 100); };
+    const Analysis plain = analyse_prescribed(jump)(mesh, 1);
+    REQUIRE(plain.metric.size() == 6);
+    CHECK(plain.metric[4].m11 == doctest::Approx(1e-4));
+    // Over the edge of length 2 the size may grow by 2 ln 1.5 (see limit_gradation).
+    const Analysis graded = analyse_prescribed(jump, 1.5)(mesh, 1);
+    for (const std::size_t v : {4u, 5u})
+      CHECK(principal_axes(graded.metric[v]).h1 ==
+            doctest::Approx(0.1 + 2 * std::log(1.5)).epsilon(1e-3));
+  }
+
   TEST_CASE("a prescribed metric is sampled at the vertices") {
     const Mesh mesh = square_mesh(2);
     const Analysis a = analyse_prescribed([](Point p) {

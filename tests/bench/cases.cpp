@@ -8,6 +8,7 @@
 #include "mesher/geometry/curve.hpp"
 #include "mesher/geometry/error.hpp"
 #include "mesher/mesh/boundary_domain.hpp"
+#include "mesher/metric/intersection.hpp"
 
 namespace anisofront {
 namespace {
@@ -28,6 +29,37 @@ Metric example_2(double scale, Point p) {
   const double r = std::max(std::min(p.x, p.y), 0.);
   const double h = scale * (0.05 + 0.2 * std::pow(r, 1.25));
   return metric_along({1, 0}, h, h);
+}
+
+/// Example 2, anisotropic: a layer along each axis, intersected.
+Metric example_2_anisotropic(double scale, Point p) {
+  const auto layer = [](double r) { return 0.05 + 0.2 * std::pow(std::max(r, 0.), 1.25); };
+  const auto along = [](double r) { return 8 * std::exp(-0.2079 * r); };
+  const double h1 = scale * layer(p.x), h2 = scale * layer(p.y);
+  return intersect(metric_along({1, 0}, along(p.y) * h2, h2),
+                   metric_along({1, 0}, h1, along(p.x) * h1));
+}
+
+/// Example 1: a layer along each diagonal, intersected.
+Metric example_1(double scale, Point p) {
+  const auto layer = [scale](Vector across, double r) {
+    const double h = scale * (0.05 + 0.15 * r);
+    return metric_along(across, h, 15 * h * std::exp(-0.55 * r));
+  };
+  return intersect(layer({-1, 1}, std::fabs(p.x - p.y) / std::numbers::sqrt2),
+                   layer({1, 1}, std::fabs(p.x + p.y - 10) / std::numbers::sqrt2));
+}
+
+/// data/studies/wall-layer.toml: a layer along x = 0.
+Metric wall(double scale, Point p) {
+  return metric_along({1, 0}, scale * (0.002 + 0.15 * p.x), scale * 0.1);
+}
+
+/// data/studies/curved-layer.toml: a layer along an arc.
+Metric arc(double scale, Point p) {
+  const double r = norm(p - Point{});
+  const Vector across = r > 0 ? p - Point{} : Vector{1, 0};
+  return metric_along(across, scale * (0.004 + 0.2 * std::fabs(r - 0.6)), scale * 0.08);
 }
 
 /// A straight layer along y = 1/2 whose thickness grows linearly on both sides.
@@ -74,10 +106,15 @@ void remesh(BenchInput& input) {
 }  // namespace
 
 const std::vector<BenchCase>& bench_cases() {
-  static const std::vector<BenchCase> cases{{"uniform", 1, uniform},
-                                            {"example-2", 10, example_2},
-                                            {"layer", 1, layer},
-                                            {"sine", 1, sine}};
+  static const std::vector<BenchCase> cases{
+      {"uniform", 1, uniform, true},
+      {"example-2", 10, example_2, true},
+      {"layer", 1, layer},
+      {"sine", 1, sine},
+      {"example-1", 10, example_1},
+      {"example-2-anisotropic", 10, example_2_anisotropic},
+      {"wall", 1, wall},
+      {"arc", 1, arc}};
   return cases;
 }
 
@@ -101,6 +138,15 @@ GenerateOptions bench_options() {
   GenerateOptions options = generate_options(Preset::best);
   options.max_elements = std::numeric_limits<Index>::max();
   return options;
+}
+
+BenchInput bench_input_of_scale(const BenchCase& bench, double scale) {
+  constexpr int kCycles = 6;
+  BenchInput input{&bench, scale, square(bench.side), {}, {}};
+  input.mesh = two_triangles(input.domain, bench.side);
+  for (int cycle = 0; cycle < kCycles; ++cycle) remesh(input);
+  input.field = exact_field(bench, scale, input.mesh);
+  return input;
 }
 
 BenchInput make_bench_input(const BenchCase& bench, double triangles) {

@@ -13,10 +13,13 @@ struct BenchCase {
   std::string name;
   double side = 1;                                    ///< of the square [0, side]^2
   Metric (*metric)(double scale, Point p) = nullptr;  ///< exact metric at p
+  bool isotropic = false;
 };
 
 /// uniform; example-2 (isotropic, paper section 5); layer (1:1000, axis-parallel); sine (1:1000
-/// along a sine curve).
+/// along a sine curve). For quadrilaterals besides: example-1, example-2-anisotropic; wall and arc
+/// (data/studies/wall-layer.toml and curved-layer.toml). At scale 1 the paper's and the studies'
+/// own sizes.
 const std::vector<BenchCase>& bench_cases();
 
 /// Throws UsageError, listing the names, when there is no such case.
@@ -33,6 +36,9 @@ struct BenchInput {
 
 /// Adapts a coarse mesh to the case at growing densities until it has about `triangles` triangles.
 BenchInput make_bench_input(const BenchCase& bench, double triangles);
+
+/// The same with the scale given: a mesh adapted to it in six cycles.
+BenchInput bench_input_of_scale(const BenchCase& bench, double scale);
 
 MetricField exact_field(const BenchCase& bench, double scale, const Mesh& mesh);
 

@@ -38,6 +38,19 @@ VariantHistory example(bool prescribed) {
   return variant;
 }
 
+VariantHistory quadrilaterals() {
+  VariantHistory variant = example(true);
+  variant.settings[1].second = "13c";
+  MeshStatistics& s = variant.cycles[0].background;
+  s.triangles = 0;
+  s.quads = 14;
+  s.angle_min = 61.6;
+  s.angle_max = 118.4;
+  s.scaled_jacobian_min = 0.875;
+  variant.cycles[0].exact = s;
+  return variant;
+}
+
 }  // namespace
 
 TEST_SUITE_BEGIN("unit");
@@ -52,9 +65,9 @@ TEST_CASE("history.json has schema 1") {
   CHECK(variant["settings"]["report.paper"] == "13b");
   CHECK(variant["settings"]["k"] == 3);
   const Json& cycle = variant["cycles"][0];
-  for (const char* key :
-       {"cycle", "vertices", "elements", "edges", "boundary_edges", "triangles", "dofs", "quality",
-        "edge_length", "metric_complexity", "error", "seconds"})
+  for (const char* key : {"cycle", "vertices", "elements", "edges", "boundary_edges", "triangles",
+                          "dofs", "quality", "edge_length", "metric_complexity", "error", "seconds",
+                          "quads", "angle", "scaled_jacobian_min"})
     CHECK_MESSAGE(cycle.contains(key), key);
   for (const char* key : {"min", "max", "in_0.5_1.5", "in_unit_band", "histogram"})
     CHECK_MESSAGE(cycle["edge_length"].contains(key), key);
@@ -100,6 +113,48 @@ TEST_CASE("the summary sets the row of the paper below ours") {
   CHECK(has(text, "434"));    // boundary edges of the paper's mesh: 2 ND - 3 NE
   CHECK(has(text, "99.99"));  // 99.999 percent is not all
   CHECK_FALSE(has(text, "100.00"));
+}
+
+TEST_CASE("angles and the scaled Jacobian are in history and CSV") {
+  VariantHistory variant = quadrilaterals();
+  variant.cycles[0].exact->angle_max = 121;
+  const Json history = history_json("t", {variant});
+  const Json& cycle = history["variants"][0]["cycles"][0];
+  CHECK(cycle["triangles"] == 0);
+  CHECK(cycle["quads"] == 14);
+  CHECK(cycle["angle"]["against"] == "exact");
+  CHECK(cycle["angle"]["min"] == 61.6);
+  CHECK(cycle["angle"]["max"] == 121);
+  CHECK(cycle["background"]["angle"]["max"] == 118.4);
+  CHECK(cycle["scaled_jacobian_min"] == 0.875);
+  const std::string csv = history_csv(history);
+  CHECK(has(csv, ",angle_min,angle_max,scaled_jacobian_min,"));
+  CHECK(has(csv, ",61.6,121.0,0.875,"));
+}
+
+TEST_CASE("the summary of quadrilaterals sets the row Q of the paper below ours") {
+  const std::string text = as_text(summary_table(history_json("t", {quadrilaterals()})));
+  CHECK(has(text, " Q "));
+  CHECK(has(text, "62-118"));
+  CHECK(has(text, "0.875"));
+  CHECK(has(text, "(Fig. 13c)"));
+  CHECK(has(text, "2584"));
+  CHECK(has(text, "432"));  // boundary edges of the paper's mesh: 2 ND - 4 NE
+}
+
+TEST_CASE("the summary counts the triangles of a mixed mesh") {
+  VariantHistory variant = quadrilaterals();
+  variant.cycles[0].exact->triangles = 3;
+  variant.cycles[0].exact->elements = 17;
+  CHECK(has(as_text(summary_table(history_json("t", {variant}))), "Q+3T"));
+}
+
+TEST_CASE("a history without angles can still be tabled") {
+  Json history = history_json("t", {example(true)});
+  Json& cycle = history["variants"][0]["cycles"][0];
+  cycle.erase("angle");
+  cycle.erase("scaled_jacobian_min");
+  CHECK(has(as_text(summary_table(history)), "(Fig. 13b)"));
 }
 
 TEST_CASE("a variant without a cycle shows why") {

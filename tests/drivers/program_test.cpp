@@ -43,6 +43,12 @@ const std::string kSquareMesh =
     "MeshVersionFormatted 2\nDimension 2\nVertices\n4\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
     "Edges\n4\n1 2 7\n2 3 8\n3 4 7\n4 1 8\nTriangles\n2\n1 2 3 5\n1 3 4 5\nEnd\n";
 
+/// Two quadrilaterals on [0, 2] x [0, 1]; the vertex given second is (1, y).
+std::string quad_mesh(const std::string& y) {
+  return "MeshVersionFormatted 2\nDimension 2\nVertices\n6\n0 0 1\n1 " + y +
+         " 1\n2 0 1\n2 1 1\n1 1 1\n0 1 1\nQuadrilaterals\n2\n1 2 5 6 5\n2 3 4 5 5\nEnd\n";
+}
+
 }  // namespace
 
 TEST_SUITE_BEGIN("unit");
@@ -120,6 +126,102 @@ TEST_CASE("mesh keeps references and finds the metric beside the mesh") {
   CHECK(has(read_text_file(out), "\nEdges\n20\n"));
 }
 
+TEST_CASE("mesh makes quadrilaterals from triangles and again from quadrilaterals") {
+  const TemporaryFolder folder;
+  const auto mesh = folder.write("square.mesh", kSquareMesh);
+  const auto first = (folder.path() / "first.mesh").string();
+  const auto second = (folder.path() / "second.msh").string();
+  const Result made =
+      call({"mesh", mesh.string(), "--size", "0.2", "--quad", "-o", first, "--write-metric"});
+  CHECK(made.code == 0);
+  CHECK(has(made.out, " quadrilaterals"));
+  CHECK_FALSE(has(made.out, " triangles"));
+  CHECK(has(read_text_file(first), "\nQuadrilaterals\n"));
+  // The metric of first.sol lies on a mesh of quadrilaterals.
+  const auto metric = (folder.path() / "first.sol").string();
+  CHECK(call({"mesh", first, "--metric", metric, "--elements", "quadrilateral", "-o", second,
+              "--write-metric"})
+            .code == 0);
+  const Json found = Json::parse(call({"check", second, "--metric", second, "--json"}).out);
+  CHECK(found["valid"] == true);
+  CHECK(found["triangles"] == 0);
+  CHECK(found["quads"].get<int>() > 15);
+  CHECK(found["quads"].get<int>() < 40);
+  CHECK(found["area"].get<double>() == doctest::Approx(1));
+  CHECK(found["angle"]["max"].get<double>() < 180);
+  CHECK(found["scaled_jacobian_min"].get<double>() > 0);
+  CHECK(found["quality"]["min"].get<double>() > 0);
+}
+
+TEST_CASE("a mesh of quadrilaterals can be the background of triangles") {
+  const TemporaryFolder folder;
+  const auto mesh = folder.write("quads.mesh", quad_mesh("0"));
+  folder.write(
+      "quads.sol",
+      "MeshVersionFormatted 2\nDimension 2\nSolAtVertices\n6\n1 1\n.2\n.2\n.2\n.2\n.2\n.2\n"
+      "End\n");
+  const auto out = (folder.path() / "out.mesh").string();
+  CHECK(call({"mesh", mesh.string(), "-o", out}).code == 0);
+  const Json found = Json::parse(call({"check", out, "--json"}).out);
+  CHECK(found["quads"] == 0);
+  CHECK(found["boundary_edges"] == 30);  // 2 (1 + 2) / 0.2
+}
+
+TEST_CASE("elements that contradict each other or are misspelt are code 3") {
+  const TemporaryFolder folder;
+  const auto mesh = folder.write("square.mesh", kSquareMesh).string();
+  const auto out = (folder.path() / "o.mesh").string();
+  const auto complaint = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"mesh", mesh, "--size", "0.2", "-o", out});
+    const Result result = call(words);
+    CHECK(result.code == 3);
+    CHECK_FALSE(std::filesystem::exists(out));
+    return result.err;
+  };
+  CHECK(has(complaint({"--quad", "--elements", "triangle"}), "--elements for triangle"));
+  CHECK(has(complaint({"--quad", "--elements", "mixed"}), "--elements for mixed"));
+  CHECK(has(complaint({"--elements", "quadrilatral"}), "did you mean \"quadrilateral\"?"));
+  CHECK(has(complaint({"--quad", "--quad-effort", "fastest"}), "expected one of: best, fast"));
+  CHECK(has(complaint({"--quad", "--quad-start", "right-angel"}), "did you mean \"right-angle\"?"));
+  CHECK(has(complaint({"--quad-effort", "fast"}), "add --quad"));
+  CHECK(has(complaint({"--qaud"}), "did you mean \"--quad\"?"));
+}
+
+TEST_CASE("check measures quadrilaterals") {
+  const TemporaryFolder folder;
+  const auto mesh = folder.write("quads.mesh", quad_mesh("0.5")).string();
+  const Json found = Json::parse(call({"check", mesh, "--json"}).out);
+  CHECK(found["valid"] == true);
+  CHECK(found["quads"] == 2);
+  CHECK(found["scaled_jacobian_min"].get<double>() == doctest::Approx(0.8944272));  // sin 116.6
+  CHECK(found["angle"]["min"].get<double>() == doctest::Approx(63.43495));
+  CHECK(found["angle"]["max"].get<double>() == doctest::Approx(116.56505));
+  const Result text = call({"check", mesh});
+  CHECK(has(text.out, "0 triangles, 2 quadrilaterals"));
+  CHECK(has(text.out, "beta~"));
+  CHECK(has(text.out, "least scaled Jacobian of the quadrilaterals: 0.89"));
+}
+
+TEST_CASE("a concave quadrilateral is code 4 and named") {
+  const TemporaryFolder folder;
+  // Quadrilateral 2 is an arrowhead with its notch at (3, 1); all else is in order.
+  const auto concave =
+      folder
+          .write(
+              "concave.mesh",
+              "MeshVersionFormatted 2\nDimension 2\nVertices\n6\n0 0 1\n2 0 1\n2 2 1\n0 2 1\n"
+              "4 1 1\n3 1 1\nTriangles\n1\n6 3 4 5\nQuadrilaterals\n2\n1 2 6 4 5\n2 5 3 6 5\nEnd\n")
+          .string();
+  const Result checked = call({"check", concave});
+  CHECK(checked.code == 4);
+  CHECK(has(checked.out, "quad 2 is flat, concave or clockwise at its corner vertex 6 at (3, 1)"));
+  CHECK_FALSE(has(checked.out, "quad 1 is"));
+  const Result meshed =
+      call({"mesh", concave, "--size", "0.5", "-o", (folder.path() / "o.mesh").string()});
+  CHECK(meshed.code == 4);
+  CHECK(has(meshed.err, "quad 2 is"));
+}
+
 TEST_CASE("check is code 4 for a mesh that is not valid") {
   const TemporaryFolder folder;
   // Two triangles that overlap: vertex 4 lies on the same side of the shared edge as vertex 3.
@@ -164,6 +266,48 @@ TEST_CASE("a run leaves meshes history figures and a page") {
   CHECK(call({"run", (dir / "study.toml").string(), "-o", again.string()}).code == 0);
   CHECK(timeless(read_json(again / "history.json")) == timeless(history));
   CHECK(call({"report", dir.string()}).code == 0);
+}
+
+TEST_CASE("a run on quadrilaterals leaves their quality in history and vtu") {
+  const TemporaryFolder folder;
+  const auto study = folder.write(
+      "tiny.toml",
+      std::string(kTinyStudy) + "[vary]\n\"mesh.elements\" = [\"triangle\", \"quadrilateral\"]\n");
+  const auto dir = folder.path() / "r";
+  const Result result = call(
+      {"run", study.string(), "-o", dir.string(), "--set", "output.formats=[\"vtu\", \"svg\"]"});
+  CHECK(result.code == 0);
+  const Json history = read_json(dir / "history.json");
+  CHECK(history["variants"][0]["cycles"][2]["quads"] == 0);
+  CHECK(history["variants"][0]["settings"]["mesh.elements"] == "triangle");
+  const Json& variant = history["variants"][1];
+  CHECK(variant["settings"]["mesh.elements"] == "quadrilateral");
+  CHECK(variant["settings"]["mesh.quad_method"] == "best");
+  for (const int cycle : {1, 2}) {
+    const Json& record = variant["cycles"][static_cast<std::size_t>(cycle)];
+    CHECK(record["triangles"] == 0);
+    CHECK(record["quads"] == record["elements"]);
+    CHECK(record["quads"].get<int>() > 8);  // 16 unit squares
+    CHECK(record["quality"]["min"].get<double>() > 0);
+    CHECK(record["scaled_jacobian_min"].get<double>() > 0);
+    CHECK(record["angle"]["max"].get<double>() < 180);
+  }
+  const std::string vtu = read_text_file(dir / "quadrilateral/cycle-2.vtu");
+  CHECK(has(vtu, "Name=\"quality\""));
+  CHECK(has(vtu, "Name=\"scaled_jacobian\""));
+  CHECK(std::filesystem::exists(dir / "figures/quadrilateral-mesh.svg"));
+}
+
+TEST_CASE("mesh picks the variant of a study that has the elements asked for") {
+  const TemporaryFolder folder;
+  const auto study = folder.write(
+      "tiny.toml",
+      std::string(kTinyStudy) + "[vary]\n\"mesh.elements\" = [\"triangle\", \"quadrilateral\"]\n");
+  const auto out = (folder.path() / "o.msh").string();
+  CHECK(has(call({"mesh", study.string(), "-o", out}).out, "this is triangle"));
+  const Result quads = call({"mesh", study.string(), "--quad", "-o", out});
+  CHECK(has(quads.out, "this is quadrilateral"));
+  CHECK(has(quads.out, " quadrilaterals"));
 }
 
 TEST_CASE("variants side by side give the same results") {

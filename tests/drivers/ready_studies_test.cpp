@@ -23,7 +23,8 @@ VariantHistory run_variant(const std::string& study, const std::vector<std::stri
 }
 
 VariantHistory run_example(const std::string& name, const std::string& mode) {
-  return run_variant("paper/" + name + ".toml", {"mesh.preset=best", "adapt.mode=" + mode});
+  return run_variant("paper/" + name + ".toml",
+                     {"mesh.preset=best", "mesh.elements=triangle", "adapt.mode=" + mode});
 }
 
 void check_floor(const MeshStatistics& s, const Floor& floor) {
@@ -90,9 +91,9 @@ TEST_SUITE("golden") {
          {Row{"example-1-m1", "anisotropic", 96, 0.92}, Row{"example-1", "anisotropic", 140, 0.92},
           Row{"example-2", "isotropic", 434, 0.94}, Row{"example-2", "anisotropic", 98, 0.92}}) {
       CAPTURE(row.study);
-      const VariantHistory history =
-          run_variant("paper/" + row.study + ".toml",
-                      {"mesh.preset=paper", "adapt.mode=" + row.mode, "adapt.cycles=3"});
+      const VariantHistory history = run_variant("paper/" + row.study + ".toml",
+                                                 {"mesh.preset=paper", "mesh.elements=triangle",
+                                                  "adapt.mode=" + row.mode, "adapt.cycles=3"});
       const MeshStatistics& s = history.cycles.back().exact.value();
       CHECK(s.boundary_edges == row.boundary_edges);
       CHECK(s.quality_mean >= row.least_mean);

@@ -82,11 +82,102 @@ TEST_CASE("wrong values say what was found and what was expected") {
 }
 
 TEST_CASE("what arrives later is refused clearly") {
-  CHECK(has(failure(replaced(kTinyStudy, "[metric]", "elements = \"quadrilateral\"\n[metric]")),
-            "triangles only"));
   const std::string plate =
       replaced(kTinyStudy, "[metric]", "[problem]\nkind = \"mindlin\"\n[metric]");
   CHECK(has(failure(plate), "plates arrive in a later version"));
+}
+
+TEST_CASE("the elements and how to make them come from the file") {
+  const auto with = [](const std::string& keys) {
+    return replaced(kTinyStudy, "[metric]", keys + "\n[metric]");
+  };
+  CHECK(parse(kTinyStudy).elements == Elements::triangle);
+  const Study quads = parse(with("elements = \"quadrilateral\""));
+  CHECK(quads.elements == Elements::quadrilateral);
+  CHECK(quads.quads.method == QuadMethod::best);
+  CHECK(quads.quads.effort == QuadEffort::best);
+  CHECK(quads.quads.start == QuadStart::automatic);
+  const Study chosen =
+      parse(with("elements = \"mixed\"\nquad_method = \"paper\"\nquad_effort = \"fast\"\n"
+                 "quad_start = \"right-angle\""));
+  CHECK(chosen.elements == Elements::mixed);
+  CHECK(chosen.quads.method == QuadMethod::paper);
+  CHECK(chosen.quads.effort == QuadEffort::fast);
+  CHECK(chosen.quads.start == QuadStart::right_angle);
+}
+
+TEST_CASE("the preset paper makes quadrilaterals as published unless told otherwise") {
+  const auto method = [](const std::string& keys) {
+    return parse(replaced(kTinyStudy, "[metric]", "preset = \"paper\"\n" + keys + "[metric]"))
+        .quads.method;
+  };
+  CHECK(method("") == QuadMethod::paper);
+  CHECK(method("quad_method = \"best\"\n") == QuadMethod::best);
+}
+
+TEST_CASE("wrong words about elements are refused with the nearest one") {
+  const auto complaint = [](const std::string& keys) {
+    return failure(replaced(kTinyStudy, "[metric]", keys + "\n[metric]"));
+  };
+  CHECK(complaint("elements = \"quadrilatral\"") ==
+        "s.toml:7:12: mesh.elements: found \"quadrilatral\", expected one of: triangle, "
+        "quadrilateral, mixed; did you mean \"quadrilateral\"?");
+  CHECK(has(complaint("quad_effort = \"fastest\""), "expected one of: best, fast"));
+  CHECK(has(complaint("quad_start = \"right_angle\""), "did you mean \"right-angle\"?"));
+  CHECK(has(complaint("quad_efort = \"fast\""), "did you mean \"quad_effort\"?"));
+}
+
+TEST_CASE("a problem is solved on triangles only") {
+  const std::string problem = replaced(
+      replaced(kTinyStudy, "[metric]\nprescribed = [{ h1 = \"0.2 + 0.1*x\", h2 = \"h1\" }]",
+               "[problem]\nsource = 1"),
+      "cycles = 2", "target = { nodes = 100 }");
+  CHECK(failure(problem) == "");
+  for (const char* elements : {"quadrilateral", "mixed"}) {
+    const std::string text =
+        replaced(problem, "[problem]", "elements = \"" + std::string(elements) + "\"\n[problem]");
+    CHECK(has(failure(text), "s.toml:7:12: mesh.elements: this version solves a [problem] on"));
+  }
+}
+
+TEST_CASE("the row of the paper fits mode and elements") {
+  const auto row = [](const std::string& mode, const std::string& elements) {
+    return parse(replaced(replaced(kTinyStudy, "cycles = 2", "mode = \"" + mode + "\""), "[metric]",
+                          "elements = \"" + elements + "\"\n[metric]") +
+                 "[report.paper]\nisotropic = { triangle = \"13b\", quadrilateral = \"13c\" }\n"
+                 "anisotropic = { triangle = \"13d\", quadrilateral = \"13e\" }\n")
+        .paper_row;
+  };
+  CHECK(row("isotropic", "triangle") == "13b");
+  CHECK(row("isotropic", "quadrilateral") == "13c");
+  CHECK(row("anisotropic", "triangle") == "13d");
+  CHECK(row("anisotropic", "quadrilateral") == "13e");
+  CHECK(row("anisotropic", "mixed") == "");
+}
+
+TEST_CASE("a row of triangles does not stand beside quadrilaterals") {
+  const std::string text = std::string(kTinyStudy) + "[report]\npaper = \"12b\"\n";
+  CHECK(parse(text).paper_row == "12b");
+  CHECK(parse(replaced(text, "[metric]", "elements = \"quadrilateral\"\n[metric]")).paper_row ==
+        "");
+  CHECK(has(failure(replaced(text, "12b", "12z")), "the paper has no row \"12z\""));
+  CHECK(has(failure(replaced(text, "\"12b\"", "{ triangle = \"12b\", quadrilateral = \"99q\" }")),
+            "the paper has no row \"99q\""));
+  CHECK(has(failure(replaced(text, "\"12b\"", "{ triangles = \"12b\" }")),
+            "did you mean \"triangle\"?"));
+}
+
+TEST_CASE("the elements can vary") {
+  const TemporaryFolder folder;
+  const auto path = folder.write(
+      "v.toml", std::string(kTinyStudy) +
+                    "[vary]\n\"mesh.elements\" = [\"triangle\", \"quadrilateral\", \"mixed\"]\n");
+  const StudyFile file = read_study_file(path);
+  REQUIRE(file.variants.size() == 3);
+  CHECK(file.variants[0].study.elements == Elements::triangle);
+  CHECK(file.variants[1].study.elements == Elements::quadrilateral);
+  CHECK(file.variants[1].name == "quadrilateral");
+  CHECK(file.variants[2].study.elements == Elements::mixed);
 }
 
 TEST_CASE("contradictions are refused") {
@@ -203,7 +294,7 @@ TEST_CASE("all studies that we ship can be read") {
       CHECK_FALSE(read_study_file(entry.path()).variants.empty());
       ++count;
     }
-  CHECK(count >= 8);
+  CHECK(count >= 10);
 }
 
 TEST_SUITE_END();

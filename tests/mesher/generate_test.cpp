@@ -29,13 +29,14 @@ GenerateResult run(const Domain& domain, const Mesh& background, const MetricFun
 
 template <class T>
 bool same_bytes(const std::vector<T>& x, const std::vector<T>& y) {
-  return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof(T)) == 0;
+  return x.size() == y.size() &&
+         (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(T)) == 0);
 }
 
 bool same_bytes(const GenerateResult& x, const GenerateResult& y) {
   return same_bytes(x.mesh.points, y.mesh.points) &&
-         same_bytes(x.mesh.triangles, y.mesh.triangles) && same_bytes(x.mesh.edges, y.mesh.edges) &&
-         same_bytes(x.metric, y.metric);
+         same_bytes(x.mesh.triangles, y.mesh.triangles) && same_bytes(x.mesh.quads, y.mesh.quads) &&
+         same_bytes(x.mesh.edges, y.mesh.edges) && same_bytes(x.metric, y.metric);
 }
 
 std::string message(const Domain& domain, const Mesh& background, const MetricFunction& metric) {
@@ -87,9 +88,73 @@ void check_five_cycles(const MetricFunction& metric, const Floors& floors) {
   CHECK(check_mesh(mesh).area == doctest::Approx(100).epsilon(1e-12));
 }
 
+GenerateOptions quadrilaterals(Elements elements = Elements::quadrilateral) {
+  GenerateOptions options;
+  options.elements = elements;
+  return options;
+}
+
 }  // namespace
 
 TEST_SUITE("unit") {
+  TEST_CASE("a square is meshed with nothing but convex quadrilaterals") {
+    const Domain domain = square_domain(1);
+    const GenerateResult result = run(domain, crossed_square(2, 1), size(0.1), quadrilaterals());
+    CHECK(joined(defects_of(domain, result, 1, 0)) == "");  // corners by exact predicate
+    CHECK(result.mesh.triangles.empty());
+    CHECK(result.mesh.quads.size() > 70);  // 100 squares of 0.1
+    CHECK(result.mesh.quads.size() < 150);
+    CHECK(group_name(result.mesh, 1, 3) == "side3");
+    CHECK(result.mesh.quad_regions == std::vector<Index>(result.mesh.quads.size(), 5));
+    CHECK(result.mesh.corners.size() == 4);
+    CHECK(result.seconds.quads > 0);
+    CHECK(result.seconds.enhance == 0);
+  }
+
+  TEST_CASE("five cycles run on quadrilaterals alone") {
+    const Domain domain = square_domain(1);
+    const auto metric = [](Point p) { return metric_from_sizes(0.03 + 0.1 * p.x, 0.15, {1, 0}); };
+    Mesh mesh = crossed_square(4, 1);
+    for (int cycle = 1; cycle <= 5; ++cycle) {
+      const GenerateResult result = run(domain, mesh, metric, quadrilaterals());
+      CHECK(joined(defects_of(domain, result, 1, 0)) == "");
+      mesh = result.mesh;
+      CHECK(mesh.triangles.empty());
+    }
+    // Integral of 1 / ((0.03 + 0.1 x) 0.15): ln(0.13 / 0.03) / 0.015 = 97.8 unit squares.
+    CHECK(mesh.quads.size() > 60);
+    CHECK(mesh.quads.size() < 150);
+  }
+
+  TEST_CASE("quadrilaterals keep regions and interfaces and points") {
+    Domain domain = plate_with_regions();
+    domain.points = {{"inside", 40, {1.4, 1.6}}};
+    const GenerateResult result = run(domain, crossed_square(3, 3), size(0.2), quadrilaterals());
+    CHECK(joined(defects_of(domain, result, 9, 0)) == "");
+    CHECK(result.mesh.triangles.empty());
+  }
+
+  TEST_CASE("mixed elements are triangles and quadrilaterals") {
+    const Domain domain = square_domain(1);
+    const GenerateResult result =
+        run(domain, crossed_square(2, 1), size(0.1), quadrilaterals(Elements::mixed));
+    CHECK(joined(defects_of(domain, result, 1, 0)) == "");
+    CHECK(result.mesh.quads.size() > result.mesh.triangles.size());
+  }
+
+  TEST_CASE("the budget of quadrilaterals counts unit squares") {
+    GenerateOptions options = quadrilaterals();
+    options.max_elements = 1000;
+    CHECK_THROWS_WITH_AS(run(square_domain(1), crossed_square(2, 1), size(0.01), options),
+                         doctest::Contains("about 10000 elements"), BudgetError);
+  }
+
+  TEST_CASE("the preset paper converts to quadrilaterals as published") {
+    CHECK(generate_options(Preset::best).quads.method == QuadMethod::best);
+    CHECK(generate_options(Preset::paper).quads.method == QuadMethod::paper);
+    CHECK(generate_options(Preset::paper).elements == Elements::triangle);
+  }
+
   TEST_CASE("a square is meshed with names and tags and corners") {
     const Domain domain = square_domain(1);
     const GenerateResult result = run(domain, crossed_square(2, 1), size(0.1));

@@ -65,6 +65,9 @@ inline void check_regions(const Domain& domain, const Mesh& mesh, Defects& defec
     for (int k = 0; k < 3; ++k)
       region_left_of[{mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]}] =
           mesh.triangle_regions[t];
+  for (std::size_t q = 0; q < mesh.quads.size(); ++q)
+    for (int k = 0; k < 4; ++k)
+      region_left_of[{mesh.quads[q][k], mesh.quads[q][(k + 1) % 4]}] = mesh.quad_regions[q];
   std::map<Index, std::vector<std::pair<Index, Index>>> along;  // curve -> edges along it
   for (const CurveEdge& e : mesh.edges) {
     const bool forward = e.parameters[0] < e.parameters[1];

@@ -50,6 +50,9 @@ expect_include_caught(mesher/generate.cpp "  # include \"mesher/io/medit.hpp\""
                       "\"mesher/io/medit.hpp\"")
 expect_include_caught(solver/norms.cpp "#include \"adapt/loop.hpp\"" "\"adapt/loop.hpp\"")
 expect_include_caught(mesher/mesh/check.cpp "#include <Eigen/Core>" "<Eigen/Core>")
+expect_include_caught(mesher/quads/matching.hpp "#include <lemon/matching.h>" "<lemon/matching.h>")
+expect_include_caught(mesher/quads/matching.cpp "#include <CGAL/number_utils.h>"
+                      "<CGAL/number_utils.h>")
 expect_include_caught(drivers/main.cpp "#include <CGAL/number_utils.h>" "<CGAL/number_utils.h>")
 
 file(WRITE ${WORK}/mesher/stray/new.cpp "")

@@ -138,6 +138,62 @@ TEST_SUITE("unit") {
                     InputError);
   }
 
+  TEST_CASE("the size factor multiplies all sizes of the field") {
+    Mesh mesh;
+    mesh.points = {{0, 0}, {1, 0}, {2, 0}, {0, 1}, {1, 1}, {2, 1}, {3, 0.5}};
+    mesh.triangles = {{2, 6, 5}, {0, 1, 4}, {0, 4, 3}};
+    mesh.quads = {{1, 2, 5, 4}};
+    const MetricField field(mesh.points.size(), metric_from_sizes(0.1, 0.5, {1, 0}));
+    for (const auto method : {Interpolation::linear_size, Interpolation::simultaneous_reduction,
+                              Interpolation::log_euclidean}) {
+      BackgroundMesh background(mesh, field, method);
+      CHECK(background.size_factor() == 1);
+      background.set_size_factor(3);
+      Index hint = 0;
+      for (const Point p : {Point{0.7, 0.2}, Point{1.4, 0.3}, Point{2.5, 0.5}, Point{-4, 9}}) {
+        const Metric expected = metric_from_sizes(0.3, 1.5, {1, 0});
+        CHECK(difference(background.metric_at(p, hint), expected) < 1e-13);
+        CHECK(difference(metric_of(background.factor_at(p, hint)), expected) < 1e-13);
+      }
+      // The area is 2.5.
+      CHECK(background.complexity() == doctest::Approx(2.5 / (0.3 * 1.5)));
+    }
+  }
+
+  TEST_CASE("size factors that are powers of two are exact and 1 gives the field back") {
+    std::mt19937_64 random(9);
+    const Oracle oracle =
+        triangulate(random_points(random, 60, {1, 1}), [](Point) { return true; });
+    const auto field = sample(oracle.mesh, [&](Point) { return random_metric(random, 30); });
+    for (const auto method : {Interpolation::linear_size, Interpolation::simultaneous_reduction,
+                              Interpolation::log_euclidean}) {
+      const BackgroundMesh plain(oracle.mesh, field, method);
+      BackgroundMesh scaled_sizes(oracle.mesh, field, method);
+      for (const double factor : {4., 0.3, 2., 1.}) {
+        scaled_sizes.set_size_factor(factor);
+        if (factor < 1) continue;  // 0.3 rounds, and must leave no trace
+        Index hint1 = 0, hint2 = 0;
+        for (Index t = 0; t < plain.triangle_count(); ++t) {
+          const Point p = random_inside(oracle.mesh, t, random).p;
+          const MetricFactor r = plain.factor_at(p, hint1);
+          const MetricFactor s = scaled_sizes.factor_at(p, hint2);
+          CHECK((s.a * factor == r.a && s.b * factor == r.b && s.c * factor == r.c));
+          const Metric m = scaled_sizes.metric_at(p, hint2);
+          CHECK(scaled(m, factor * factor) == plain.metric_at(p, hint1));
+        }
+        CHECK(scaled_sizes.complexity() * factor * factor == plain.complexity());
+      }
+    }
+  }
+
+  TEST_CASE("size factors that are not positive numbers are refused") {
+    const Mesh mesh = crossed_square(2, 1);
+    BackgroundMesh background(mesh, MetricField(mesh.points.size()));
+    for (const double bad : {0., -1., std::nan(""), std::numeric_limits<double>::infinity()})
+      CHECK_THROWS_AS(background.set_size_factor(bad), InputError);
+    CHECK(background.size_factor() == 1);
+  }
+
   TEST_CASE("the metric as a function can be copied") {
     const Mesh mesh = crossed_square(2, 1);
     const MetricFunction f =

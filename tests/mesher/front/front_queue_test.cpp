@@ -47,6 +47,16 @@ TEST_SUITE("unit") {
     CHECK(drain(queue, edges) == std::vector<Index>{2, 4, 1, 3, 6, 0, 5});
   }
 
+  TEST_CASE("by age the oldest comes first whatever its length") {
+    std::vector<FrontEdge> edges(5);
+    FrontQueue queue(BaseOrder::age);
+    const double squared[] = {2, 1, 3, 1, 0.5};
+    for (Index i = 0; i < 5; ++i) queue.push(i, 0, squared[i], squared[i]);
+    ++edges[1].version;  // removed, and its slot used again
+    queue.push(1, edges[1].version, 0.1, 0.1);
+    CHECK(drain(queue, edges) == std::vector<Index>{0, 2, 3, 4, 1});
+  }
+
   TEST_CASE("entries of removed edges are skipped and reused slots count with their new key") {
     for (const auto order :
          {BaseOrder::metric_length, BaseOrder::metric_class, BaseOrder::physical_length}) {

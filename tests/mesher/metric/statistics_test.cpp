@@ -132,6 +132,27 @@ TEST_SUITE("unit") {
     CHECK(s.scaled_jacobian_min == Approx(kSqrt3 / 2).epsilon(1e-14));
   }
 
+  TEST_CASE("qualities and scaled Jacobians per element by hand") {
+    // A unit square, a parallelogram of 45 degrees and height 1, half a square.
+    Mesh mesh;
+    mesh.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 1}, {0, 2}};
+    mesh.quads = {{0, 1, 2, 3}, {1, 4, 2, 0}};
+    mesh.quads[1] = {0, 1, 4, 2};
+    mesh.triangles = {{3, 2, 5}};
+    const std::vector<double> jacobians = scaled_jacobians(mesh);
+    REQUIRE(jacobians.size() == 3);
+    CHECK(jacobians[0] == 1);  // triangles come first
+    CHECK(jacobians[1] == doctest::Approx(1));
+    CHECK(jacobians[2] == doctest::Approx(std::sqrt(0.5)));
+    const std::vector<double> quality = element_qualities(mesh, MetricField(6));
+    REQUIRE(quality.size() == 3);
+    CHECK(quality[0] == doctest::Approx(std::sqrt(3) / 2));  // 2 sqrt3 A 2 / (1 + 1 + 2)
+    CHECK(quality[1] == doctest::Approx(1));
+    // Halves of the parallelogram: squares of sides 1 + 2 + 1 and 1 + 2 + 5, twice each.
+    CHECK(quality[2] == doctest::Approx(0.25));
+    CHECK_THROWS_AS(element_qualities(mesh, MetricField(5)), InputError);
+  }
+
   TEST_CASE("an inverted element shows as quality and mean") {
     Mesh mesh = mixed_mesh();
     mesh.points[4] = {1, -0.5};

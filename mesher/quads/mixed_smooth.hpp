@@ -1,0 +1,15 @@
+#pragma once
+
+#include "mesher/background/background_mesh.hpp"
+#include "mesher/quads/mixed_mesh.hpp"
+
+namespace anisofront {
+
+/// Steps (ii) and (v) of the conversion on triangles and quadrilaterals: `cycles` cycles of length
+/// smoothing (Eqns 25a, 25b) and as many of quality smoothing (Eqns 26, 27). A vertex moves only if
+/// the product of alpha~ and beta~ around it grows and all faces stay convex (where some are not,
+/// if there are fewer of them then). Vertices on segments and required ones are fixed.
+/// Precondition: the mesh is conforming and its vertices carry the metric of the background.
+void smooth_mixed(const BackgroundMesh& background, MixedMesh& mesh, int cycles = 3);
+
+}  // namespace anisofront
