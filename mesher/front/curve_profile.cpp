@@ -114,11 +114,13 @@ CurveProfile sample_curve(const BackgroundMesh& background, const NurbsCurve& cu
 
 CurveProfile measure_old_segments(const BackgroundMesh& background, const Mesh& old_mesh,
                                   const std::vector<CurveEdge>& edges, Index& hint) {
+  constexpr double kAppendixB = 0.25;
+  const double tolerance = kAppendixB / std::max(background.size_factor(), 1.);
   const MetricFunction metric = [&](Point p) { return metric_of(background.factor_at(p, hint)); };
   CurveProfile profile{{edges.front().parameters[0]}, {0}};
   for (const CurveEdge& edge : edges) {
     const SegmentProfile sub = segment_profile(metric, old_mesh.points[edge.vertices[0]],
-                                               old_mesh.points[edge.vertices[1]]);
+                                               old_mesh.points[edge.vertices[1]], tolerance);
     const double start = profile.length.back();
     for (std::size_t i = 1; i < sub.t.size(); ++i) {
       profile.parameter.push_back(std::lerp(edge.parameters[0], edge.parameters[1], sub.t[i]));

@@ -1,6 +1,7 @@
 #include "mesher/quads/division.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -85,7 +86,7 @@ class Divider {
   /// Makes a pentagon of the triangle and the best of its neighbours, if there is one.
   void join_triangle(Index f) {
     const Cell triangle = cell_of(f);
-    double least = 0;
+    double least = std::numeric_limits<double>::infinity();
     std::optional<std::pair<Index, Cell>> best;
     for (int i = 0; i < 3; ++i) {
       const MixedEdge& edge = topology_.edges[triangle.edges[i]];
@@ -94,7 +95,7 @@ class Divider {
         continue;
       const Cell pentagon = joined(triangle, i, g);
       const double deviation = deviation_of(pentagon);
-      if ((best && deviation >= least) || !centre_of(pentagon)) continue;
+      if (deviation >= least || !centre_of(pentagon)) continue;
       least = deviation;
       best = {g, pentagon};
     }
@@ -109,11 +110,13 @@ class Divider {
     return join(triangle, i, quad, static_cast<int>(common - quad.edges.begin()));
   }
 
+  /// Infinite with a flat corner.
   double deviation_of(const Cell& pentagon) const {
     std::array<WorkVertex, 5> vertices;
     std::transform(pentagon.vertices.begin(), pentagon.vertices.end(), vertices.begin(),
                    [this](Index v) { return old_vertex(v); });
-    return angle_deviation(vertices);
+    return has_flat_corner(vertices) ? std::numeric_limits<double>::infinity()
+                                     : angle_deviation(vertices);
   }
 
   /// Pentagons stand at the places of their triangles.

@@ -8,7 +8,8 @@ namespace anisofront {
 
 /// Steps (iii) and (iv) of the conversion. With pentagons: isolated triangles, one by one, are
 /// joined with the neighbouring quadrilateral of least angle deviation (Eqn 28) with which they
-/// make a pentagon that can be divided into five convex quadrilaterals, never across a segment.
+/// make a pentagon that can be divided into five convex quadrilaterals, none of them with a corner
+/// of the triangle above 165 degrees; never across a segment.
 /// Then every face is divided (Fig. 11): triangles into 3, quadrilaterals into 4, pentagons into 5,
 /// by the midpoints of their edges and a vertex at the centroid of these.
 ///

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesher/geometry/predicates.hpp"
+#include "mesher/quads/convexity.hpp"
 
 namespace anisofront {
 namespace {
@@ -25,7 +26,7 @@ bool all_lines(Points corners, Points midpoints, Visit&& visit) {
 
 bool corners_are_convex(Points corners, Points midpoints) {
   for (std::size_t k = 0; k < corners.size(); ++k)
-    if (orientation(midpoints[k == 0 ? corners.size() - 1 : k - 1], corners[k], midpoints[k]) <= 0)
+    if (!is_convex_corner(midpoints[k == 0 ? corners.size() - 1 : k - 1], corners[k], midpoints[k]))
       return false;
   return true;
 }

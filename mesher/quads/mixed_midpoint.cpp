@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "mesher/quads/on_curve.hpp"
+
 namespace anisofront {
 namespace {
 
@@ -13,12 +15,6 @@ double share_of_length(const MetricFactor& at_start, const MetricFactor& at_end,
   const double target = 0.5 * part * (x + y);
   const double s = 2 * target / (x + std::sqrt(x * x + 2 * (y - x) * target));
   return s >= 0 ? std::fmin(s, 1) : 0.5;  // not a number where the length vanishes
-}
-
-/// Rounding must not take a point off a line that runs along an axis.
-Point kept_on_axis(const NurbsCurve& curve, Point p, Point a, Point b) {
-  if (curve.degree > 1) return p;
-  return {a.x == b.x ? a.x : p.x, a.y == b.y ? a.y : p.y};
 }
 
 }  // namespace
@@ -65,7 +61,7 @@ WorkVertex MidpointFinder::of_edge(const WorkVertex& a, const WorkVertex& b) {
 
 MidpointFinder::OnCurve MidpointFinder::of_segment(const NurbsCurve& curve, const Segment& segment,
                                                    const WorkVertex& a, const WorkVertex& b) {
-  const auto place = [&](double t) { return kept_on_axis(curve, evaluate(curve, t), a.p, b.p); };
+  const auto place = [&](double t) { return point_between(curve, t, a.p, b.p); };
   const double t =
       halving_parameter({segment.parameter_a, a, 0}, {segment.parameter_b, b, 0}, place);
   return {t, look_up(place(t), a.hint)};

@@ -1,17 +1,19 @@
 #include "mesher/quads/mixed_quality.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "mesher/geometry/predicates.hpp"
+#include "mesher/metric/metric_length.hpp"
 #include "mesher/metric/quality.hpp"
+#include "mesher/quads/convexity.hpp"
 
 namespace anisofront {
 
 bool is_strictly_convex(const MixedMesh& mesh, const MixedFace& face) {
   const auto p = [&](int k) { return mesh.vertices[face.vertices[k]].p; };
-  if (!face.is_quad()) return orientation(p(0), p(1), p(2)) > 0;
-  return orientation(p(3), p(0), p(1)) > 0 && orientation(p(0), p(1), p(2)) > 0 &&
-         orientation(p(1), p(2), p(3)) > 0 && orientation(p(2), p(3), p(0)) > 0;
+  return face.is_quad() ? is_convex_quad({p(0), p(1), p(2), p(3)})
+                        : orientation(p(0), p(1), p(2)) > 0;
 }
 
 double shape_quality(const MixedMesh& mesh, const MixedFace& face) {
@@ -21,14 +23,26 @@ double shape_quality(const MixedMesh& mesh, const MixedFace& face) {
               std::array{v(0).p, v(1).p, v(2).p, v(3).p});
 }
 
-void Shape::add(const MixedMesh& mesh, const MixedFace& face) {
-  const double quality = is_strictly_convex(mesh, face) ? shape_quality(mesh, face) : -1;
-  if (quality <= 0) {
+double combined_quality(const MixedMesh& mesh, const MixedFace& face) {
+  std::array<double, 4> lengths{};
+  const int size = face.size();
+  for (int k = 0; k < size; ++k) {
+    const WorkVertex& a = mesh.vertices[face.vertices[k]];
+    const WorkVertex& b = mesh.vertices[face.vertices[k + 1 < size ? k + 1 : 0]];
+    const Vector u = b.p - a.p;
+    lengths[k] = trapezoid_length(squared_length(a.r, u), squared_length(b.r, u));  // A12
+  }
+  return mu(shape_quality(mesh, face), {lengths.data(), static_cast<std::size_t>(size)});
+}
+
+void Shape::add(const MixedMesh& mesh, const MixedFace& face, FaceQuality quality) {
+  const double q = is_strictly_convex(mesh, face) ? quality(mesh, face) : -1;
+  if (q <= 0) {
     ++broken;
     return;
   }
-  product *= quality;
-  worst = std::min(worst, quality);
+  product *= q;
+  worst = std::min(worst, q);
 }
 
 }  // namespace anisofront

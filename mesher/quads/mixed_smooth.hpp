@@ -12,4 +12,11 @@ namespace anisofront {
 /// Precondition: the mesh is conforming and its vertices carry the metric of the background.
 void smooth_mixed(const BackgroundMesh& background, MixedMesh& mesh, int cycles = 3);
 
+/// What smooth_mixed() leaves: `sweeps` over all free vertices, each of which is brought by pattern
+/// search, after the place of Eqns 26 and 27, to where the product of mu~ (Eqn 17) around it is
+/// largest. Faces stay convex, or fewer are not. Not in the paper, whose centroids are taken or
+/// left as a whole, and are too often left: see paper_quads() for what it changes.
+/// Precondition: as above.
+void search_mixed(const BackgroundMesh& background, MixedMesh& mesh, int sweeps = 1);
+
 }  // namespace anisofront

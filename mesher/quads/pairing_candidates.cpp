@@ -1,17 +1,11 @@
 #include "mesher/quads/pairing_candidates.hpp"
 
 #include "mesher/enhance/patch.hpp"
-#include "mesher/geometry/predicates.hpp"
 #include "mesher/metric/quality.hpp"
+#include "mesher/quads/convexity.hpp"
 
 namespace anisofront {
 namespace {
-
-bool strictly_convex(const std::array<Point, 4>& p) {
-  for (std::size_t i = 0; i < 4; ++i)
-    if (orientation(p[i], p[(i + 1) % 4], p[(i + 2) % 4]) <= 0) return false;
-  return true;
-}
 
 /// beta~, or -1 when the quadrilateral is not strictly convex.
 double convex_beta(const WorkMesh& mesh, const std::array<Index, 4>& quad) {
@@ -21,7 +15,7 @@ double convex_beta(const WorkMesh& mesh, const std::array<Index, 4>& quad) {
     p[i] = mesh.vertices[quad[i]].p;
     r[i] = mesh.vertices[quad[i]].r;
   }
-  return strictly_convex(p) ? beta(r, p) : -1;
+  return is_convex_quad(p) ? beta(r, p) : -1;
 }
 
 }  // namespace

@@ -1,9 +1,13 @@
 #include "mesher/quads/pentagons.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace anisofront {
 namespace {
+
+/// The corners at the nodes of the triangle.
+constexpr std::array<std::size_t, 3> kOfTriangle{0, 1, 4};
 
 /// Angle of the pentagon at vertex k (Eqn 9 in the metric there).
 double corner_angle(const std::array<WorkVertex, 5>& p, std::size_t k) {
@@ -24,9 +28,15 @@ Cell join(const Cell& triangle, int i, const Cell& quad, int j) {
 double angle_deviation(const std::array<WorkVertex, 5>& pentagon) {
   constexpr double kRightAngle = 1.5707963267948966;
   double deviation = 0;
-  for (const std::size_t k : {0, 1, 4})
+  for (const std::size_t k : kOfTriangle)
     deviation += std::fabs(corner_angle(pentagon, k) - kRightAngle);  // Eqn 28
   return deviation;
+}
+
+bool has_flat_corner(const std::array<WorkVertex, 5>& pentagon) {
+  constexpr double kFlat = 2.8797932657906435;  // 165 degrees
+  return std::any_of(kOfTriangle.begin(), kOfTriangle.end(),
+                     [&](std::size_t k) { return corner_angle(pentagon, k) > kFlat; });
 }
 
 }  // namespace anisofront

@@ -22,4 +22,8 @@ Cell join(const Cell& triangle, int i, const Cell& quad, int j);
 /// holds, in the metric at each (Eqn 28), radians.
 double angle_deviation(const std::array<WorkVertex, 5>& pentagon);
 
+/// Whether one of these angles is above 165 degrees. It would be that of a quadrilateral for good
+/// where both sides are on the boundary; divided apart, triangle and quadrilateral share it.
+bool has_flat_corner(const std::array<WorkVertex, 5>& pentagon);
+
 }  // namespace anisofront

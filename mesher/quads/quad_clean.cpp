@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <vector>
 
-#include "mesher/geometry/predicates.hpp"
+#include "mesher/quads/convexity.hpp"
 #include "mesher/quads/quad_operations.hpp"
 #include "mesher/quads/quad_smooth.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 /// `desperate` for quadrilaterals so bad that more is worth trying.
 struct TrialCycle {
   double first_step, last_step, reject, reject_desperate;
-  bool diagonals;
+  bool repeat;
 };
 constexpr std::array<TrialCycle, 5> kTrialCycles{{{.25, .12, 2.5, 60, false},
                                                   {.2, .09, 1, 20, false},
@@ -63,7 +64,8 @@ class Cleaner {
   bool try_all(Index quad) {
     const Index first = 4 * quad;
     return kept(collapse_diagonal(work_, first)) || kept(collapse_diagonal(work_, first + 1)) ||
-           try_edges(first) || try_splits(first) || try_vertices(first);
+           try_edges(first) || try_splits(first) || try_vertices(first) ||
+           (!work_.convex[quad] && kept(inset_quad(work_, quad)));
   }
 
   bool try_edges(Index first) {
@@ -134,9 +136,11 @@ class Cleaner {
     double previous = change;
     for (std::size_t c = 0; c < kTrialCycles.size(); ++c) {
       const TrialCycle& cycle = kTrialCycles[c];
-      smooth(vertices, {cycle.first_step, cycle.last_step, cycle.diagonals});
+      smooth(vertices, {cycle.first_step, cycle.last_step, cycle.repeat});
       change = work_.energy_change(not_convex);
       if (change < kGain && not_convex <= 0) return true;
+      if (not_convex < 0 && c + 1 == kTrialCycles.size()) return true;  // at any price
+      if (not_convex < 0) continue;
       if (change > (desperate_ ? cycle.reject_desperate : cycle.reject)) return false;
       if (c >= 2 && previous - change < kUnmoved) return false;
       previous = change;
@@ -165,6 +169,13 @@ std::vector<Index> bad_quads(const QuadWork& work, double threshold) {
   return quads;
 }
 
+std::vector<Index> changed_since(const QuadWork& work, std::uint32_t commits) {
+  std::vector<Index> vertices;
+  for (Index v = 0; v < static_cast<Index>(work.changed_at.size()); ++v)
+    if (work.changed_at[v] > commits && work.mesh.leaving[v] != kNoIndex) vertices.push_back(v);
+  return vertices;
+}
+
 }  // namespace
 
 CleanStatistics clean(QuadWork& work, const CleanOptions& options, const Monitor& monitor) {
@@ -172,8 +183,9 @@ CleanStatistics clean(QuadWork& work, const CleanOptions& options, const Monitor
   smooth_all(work, options.first_sweeps, {.first_step = 0.3, .last_step = 0.05});
   for (int pass = 0; pass < options.most_passes; ++pass) {
     monitor.report("quads", static_cast<double>(pass) / options.most_passes);
+    const std::uint32_t before = work.commits();
     const std::int64_t kept = cleaner.pass(bad_quads(work, options.threshold), options.threshold);
-    smooth_all(work, 2, {.first_step = 0.1, .last_step = 0.03});
+    smooth_some(work, changed_since(work, before), 2, {.first_step = 0.1, .last_step = 0.03});
     if (kept < 2) break;
   }
   smooth_all(work, options.last_sweeps, {.first_step = 0.1, .last_step = 0.01});
@@ -203,32 +215,39 @@ bool wants_polish(const QuadWork& work, Index quad) {
   return false;
 }
 
-struct PolishTargets {
-  std::vector<Index> quads, vertices;
-};
+void sort_out(std::vector<Index>& indices) {
+  std::sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+}
 
-PolishTargets polish_targets(const QuadWork& work) {
-  const QuadMesh& mesh = work.mesh;
-  PolishTargets targets;
-  for (Index q = 0; q < mesh.quad_count(); ++q) {
-    if (mesh.is_dead(q) || !wants_polish(work, q)) continue;
-    targets.quads.push_back(q);
-    for (int k = 0; k < 4; ++k) targets.vertices.push_back(mesh.corner[4 * q + k]);
+/// Vertices of those of the quadrilaterals that want polish.
+std::vector<Index> polish_vertices(const QuadWork& work, const std::vector<Index>& quads) {
+  std::vector<Index> vertices;
+  for (const Index q : quads) {
+    if (work.mesh.is_dead(q) || !wants_polish(work, q)) continue;
+    for (int k = 0; k < 4; ++k) vertices.push_back(work.mesh.corner[4 * q + k]);
   }
-  std::sort(targets.vertices.begin(), targets.vertices.end());
-  targets.vertices.erase(std::unique(targets.vertices.begin(), targets.vertices.end()),
-                         targets.vertices.end());
-  return targets;
+  sort_out(vertices);
+  return vertices;
 }
 
 /// The quadrilaterals at the vertices.
 std::vector<Index> quads_around(const QuadMesh& mesh, const std::vector<Index>& vertices) {
   std::vector<Index> quads;
   for (const Index v : vertices)
-    for_each_leaving(mesh, v, [&](Index h) { quads.push_back(quad_of(h)); });
-  std::sort(quads.begin(), quads.end());
-  quads.erase(std::unique(quads.begin(), quads.end()), quads.end());
+    if (mesh.leaving[v] != kNoIndex)
+      for_each_leaving(mesh, v, [&](Index h) { quads.push_back(quad_of(h)); });
+  sort_out(quads);
   return quads;
+}
+
+/// The corners of the quadrilaterals at the vertices.
+std::vector<Index> grown(const QuadMesh& mesh, const std::vector<Index>& vertices) {
+  std::vector<Index> result;
+  for (const Index q : quads_around(mesh, vertices))
+    for (int k = 0; k < 4; ++k) result.push_back(mesh.corner[4 * q + k]);
+  sort_out(result);
+  return result;
 }
 
 }  // namespace
@@ -236,16 +255,26 @@ std::vector<Index> quads_around(const QuadMesh& mesh, const std::vector<Index>& 
 CleanStatistics polish(QuadWork& work) {
   constexpr int kRounds = 4;
   constexpr double kThreshold = 0.4;
-  work.weights.length = 0.5;
+  work.weights.length = 0.7;
   work.weights.shape2 = 0.1;
   work.weights.middle_lengths = true;
   work.update_all_energies();
   Cleaner cleaner(work, 2);
+  std::vector<Index> looked_at(work.mesh.quad_count());
+  std::iota(looked_at.begin(), looked_at.end(), 0);
   for (int round = 0; round < kRounds; ++round) {
-    smooth_some(work, polish_targets(work).vertices, 3, {.first_step = 0.1, .last_step = 0.02});
-    const PolishTargets targets = polish_targets(work);
-    const auto kept = cleaner.pass(quads_around(work.mesh, targets.vertices), kThreshold);
-    smooth_some(work, polish_targets(work).vertices, 2, {.first_step = 0.08, .last_step = 0.02});
+    std::vector<Index> targets = polish_vertices(work, looked_at);
+    smooth_some(work, targets, 3, {.first_step = 0.1, .last_step = 0.02});
+    // Only around these anything has changed.
+    looked_at = quads_around(work.mesh, grown(work.mesh, targets));
+    const std::uint32_t before = work.commits();
+    const std::vector<Index> bad = quads_around(work.mesh, polish_vertices(work, looked_at));
+    const auto kept = cleaner.pass(bad, kThreshold);
+    targets = changed_since(work, before);
+    const std::vector<Index> more = quads_around(work.mesh, grown(work.mesh, targets));
+    looked_at.insert(looked_at.end(), more.begin(), more.end());
+    sort_out(looked_at);
+    smooth_some(work, polish_vertices(work, looked_at), 2, {.first_step = 0.08, .last_step = 0.02});
     if (kept == 0 && round > 0) break;
   }
   return cleaner.statistics;
@@ -255,12 +284,9 @@ Index count_not_convex(const QuadMesh& mesh) {
   Index count = 0;
   for (Index q = 0; q < mesh.quad_count(); ++q) {
     if (mesh.is_dead(q)) continue;
-    bool convex = true;
-    for (int k = 0; k < 4; ++k) {
-      const Index h = 4 * q + k;
-      convex = convex && orientation(mesh.vertex_at(h).p, mesh.vertex_at(next_in_quad(h)).p,
-                                     mesh.vertex_at(opposite_in_quad(h)).p) > 0;
-    }
+    const Index h = 4 * q;
+    const bool convex = is_convex_quad({mesh.vertex_at(h).p, mesh.vertex_at(h + 1).p,
+                                        mesh.vertex_at(h + 2).p, mesh.vertex_at(h + 3).p});
     count += !convex;
   }
   return count;

@@ -10,6 +10,7 @@ namespace anisofront {
 
 /// Defect energy of a quadrilateral mesh, a sum over the quadrilaterals:
 ///   E = sum [ S + shape2 S^2 + (length / 4) sum over its edges of (z^2 + z^4) - potential ],
+/// with length / 2 for edges on the boundary, which have one quadrilateral only.
 /// S = (1 / beta~ - beta~) / 2 (Eqn 16), which is sinh(-ln beta~): the sum of -ln beta~ is the
 /// geometric mean of beta~, and the bad weigh more. z = log2(l^2), 1 at an edge of length sqrt 2.
 /// `potential` is the defect of a mean quadrilateral, without which removing any of them would pay.
@@ -31,16 +32,17 @@ inline double shape_energy(double low, double high, double least, const QuadWeig
   return std::min(shape + weights.shape2 * shape * shape, kMost);
 }
 
-/// z^2 + z^4 of an edge from its squared lengths in the metrics of its ends, as a polynomial in
-/// 2 cosh(2 z ln 2) - 2 that needs no logarithm; within 10 % of it for |z| in [0.25, 1.2].
+/// z^2 + z^4 of an edge from its squared lengths in the metrics of its ends, in terms of
+/// t = 2 cosh(2 z ln 2) - 2, which needs no logarithm: within 10 % for |z| in [0.25, 1.1]. Less
+/// steep for lengths below 0.66, as a repair may need short edges, and above 2.5.
 inline double length_defect(double squared1, double squared2) {
+  constexpr double kShort = 3, kSqrt3 = 1.7320508075688772, kLong = 40;
   const double y = squared1 * squared2;
   const double t = std::min(y + 1 / y - 2, 1e9);  // finite for edges of no length
-  return t * (0.52 + 0.17 * std::min(t, 40.));    // less steep beyond lengths of 2.5 and 0.4
+  if (t <= kShort || y > 1) return t * (0.52 + 0.17 * std::min(t, kLong));
+  return kShort * (0.52 + 0.17 * kShort) +
+         (0.52 + 0.34 * kShort) * 2 * kSqrt3 * (std::sqrt(t) - kSqrt3);
 }
-
-/// Share of the length term for edges between two boundary vertices, which cannot be helped.
-inline constexpr double kBoundaryEdgeShare = 0.3;
 
 /// The four alpha~ of a quadrilateral: product of the smaller two, of the larger two, and the least
 /// of them. Of a negative one only the sign is that of alpha~.

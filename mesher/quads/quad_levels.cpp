@@ -24,23 +24,20 @@ Pairing pairing_of(QuadStart start) {
   return start == QuadStart::systematic ? Pairing::systematic : Pairing::matching;
 }
 
+/// Small meshes get more time per quadrilateral; coarse ones in any case cost little.
 CleanOptions clean_options(const QuadrangulateInput& input, bool coarse) {
   constexpr double kSmall = 5000;
-  CleanOptions options;
-  const double wanted = input.background.complexity();
-  if (wanted < kSmall) options.threshold = 0.3;
-  if (input.options.effort == QuadEffort::fast) {
-    options.threshold = coarse ? 0.6 : 1.0;
-    options.most_passes = coarse ? 12 : 2;
-    options.first_sweeps = coarse ? 4 : 2;
-    options.last_sweeps = coarse ? 2 : 2;
-  }
-  return options;
+  if (input.options.effort == QuadEffort::fast)
+    return coarse ? CleanOptions{.threshold = 0.8, .most_passes = 6, .last_sweeps = 2}
+                  : CleanOptions{
+                        .threshold = 1, .most_passes = 2, .first_sweeps = 2, .last_sweeps = 2};
+  if (wanted_quads(input.background) < kSmall) return {.threshold = 0.3};
+  return {.threshold = coarse ? 0.6 : 0.8, .last_sweeps = 4};
 }
 
 /// Mean energy; a number of quadrilaterals off by more than some percent counts against it.
 void judge(QuadWork& work, double wanted, LevelMesh& level) {
-  constexpr double kTolerance = 0.035, kPenalty = 2, kMostPenalty = 0.3;
+  constexpr double kTolerance = 0.03, kPenalty = 5, kMostPenalty = 0.4;
   work.weights = {};
   double energy = 0;
   Index count = 0;
@@ -66,9 +63,13 @@ void look_up_metrics(const BackgroundMesh& background, QuadMesh& mesh) {
 
 }  // namespace
 
+double wanted_quads(const BackgroundMesh& background) {
+  return background.complexity() * background.size_factor() * background.size_factor();
+}
+
 Boundary coarse_triangulation(const QuadrangulateInput& input, const Attempt& attempt, bool even,
                               QuadStatistics& statistics, const Monitor& monitor) {
-  input.background.set_size_factor(std::ldexp(attempt.size_factor, attempt.levels));
+  input.background.set_size_factor(std::ldexp(1., attempt.levels));
   const double expected = 4 / std::sqrt(3.) * input.background.complexity();
   Stopwatch watch;
   BoundaryOptions boundary_options = input.boundary;
@@ -76,6 +77,8 @@ Boundary coarse_triangulation(const QuadrangulateInput& input, const Attempt& at
   Boundary boundary = discretise_boundary(input.domain, input.old_mesh, input.background,
                                           boundary_options, input.max_elements, monitor);
   statistics.boundary += watch.lap();
+  // The boundary keeps its wanted edges, corrections of the number are made inside.
+  input.background.set_size_factor(std::ldexp(attempt.size_factor, attempt.levels));
   const bool right = is_right_angled(attempt.start);
   advance_front(input.background, boundary.mesh, right ? right_angle_front_options() : input.front,
                 expected, monitor);
@@ -91,6 +94,7 @@ Boundary coarse_triangulation(const QuadrangulateInput& input, const Attempt& at
 
 LevelMesh coarse_quads(const QuadrangulateInput& input, const Attempt& attempt,
                        const Monitor& monitor) {
+  constexpr double kCrowded = 3;  // sizes that change too fast make far too many triangles
   LevelMesh level;
   Boundary boundary = coarse_triangulation(input, attempt, true, level.statistics, monitor);
   Stopwatch watch;
@@ -103,14 +107,19 @@ LevelMesh coarse_quads(const QuadrangulateInput& input, const Attempt& attempt,
                                              [](const MixedFace& f) { return !f.is_quad(); });
   level.pure = merge_leftover_triangles(level.mesh) == 0;
   level.statistics.pairing += watch.lap();
-  if (!level.pure) return level;
+  const double expected = 4 / std::sqrt(3.) * input.background.complexity();
+  if (!level.pure || static_cast<double>(level.statistics.triangles) > kCrowded * expected) {
+    level.pure = false;
+    return level;
+  }
   QuadWork work(input.background, make_quad_mesh(level.mesh), {});
+  work.allow_sliding(input.domain, std::move(level.mesh.segments), level.point_vertices);
   remove_doublets(work);
   add(level.statistics, clean(work, clean_options(input, true), monitor));
   input.background.set_size_factor(std::ldexp(1., attempt.levels));
   look_up_metrics(input.background, work.mesh);
   judge(work, input.background.complexity(), level);
-  level.mesh = glued(work.mesh, std::move(level.mesh.segments));
+  level.mesh = glued(work.mesh, std::move(work.segments));
   level.statistics.cleaning += watch.lap();
   return level;
 }
@@ -131,10 +140,11 @@ void refine_levels(const QuadrangulateInput& input, int levels, LevelMesh& coars
 void clean_mesh(const QuadrangulateInput& input, bool finest, LevelMesh& level,
                 const Monitor& monitor) {
   QuadWork work(input.background, make_quad_mesh(level.mesh), {});
+  work.allow_sliding(input.domain, std::move(level.mesh.segments), level.point_vertices);
   add(level.statistics, clean(work, clean_options(input, false), monitor));
   if (finest && input.options.effort == QuadEffort::best) add(level.statistics, polish(work));
   judge(work, input.background.complexity(), level);
-  level.mesh = glued(work.mesh, std::move(level.mesh.segments));
+  level.mesh = glued(work.mesh, std::move(work.segments));
 }
 
 }  // namespace anisofront

@@ -24,6 +24,9 @@ struct LevelMesh {
   double count_ratio = 1;  ///< number of quadrilaterals against the wanted one
 };
 
+/// Number of quadrilaterals that the metric asks for, whatever the present size factor.
+double wanted_quads(const BackgroundMesh& background);
+
 /// The coarse triangulation of an attempt: boundary, front, for equilateral starts enhancement,
 /// required points.
 Boundary coarse_triangulation(const QuadrangulateInput& input, const Attempt& attempt, bool even,

@@ -70,6 +70,8 @@ Index add_copy(QuadMesh& mesh, Index v) {
   mesh.valence.push_back(0);
   mesh.kind.push_back(mesh.kind[v]);
   mesh.original.push_back(v);
+  mesh.next_copy.push_back(mesh.next_copy[v]);
+  mesh.next_copy[v] = static_cast<Index>(mesh.vertices.size()) - 1;
   return static_cast<Index>(mesh.vertices.size()) - 1;
 }
 
@@ -98,9 +100,14 @@ void cut_open(QuadMesh& mesh) {
 
 bool are_adjacent(const QuadMesh& mesh, Index u, Index v) {
   bool found = false;
-  for_each_leaving(mesh, u, [&](Index h) {
-    found = found || mesh.corner[next_in_quad(h)] == v || mesh.corner[previous_in_quad(h)] == v;
-  });
+  Index copy = u;
+  do {
+    for_each_leaving(mesh, copy, [&](Index h) {
+      found = found || is_same(mesh, mesh.corner[next_in_quad(h)], v) ||
+              is_same(mesh, mesh.corner[previous_in_quad(h)], v);
+    });
+    copy = mesh.next_copy[copy];
+  } while (copy != u && !found);
   return found;
 }
 
@@ -112,8 +119,9 @@ QuadMesh make_quad_mesh(const MixedMesh& mesh) {
   result.valence.assign(n, 0);
   result.kind.assign(n, QuadVertexKind::free);
   result.original.resize(n);
+  result.next_copy.resize(n);
   for (std::size_t v = 0; v < n; ++v) {
-    result.original[v] = static_cast<Index>(v);
+    result.original[v] = result.next_copy[v] = static_cast<Index>(v);
     if (v < mesh.required.size() && mesh.required[v]) result.kind[v] = QuadVertexKind::required;
   }
   connect(mesh, result);

@@ -28,6 +28,7 @@ struct QuadMesh {
   std::vector<std::uint8_t> valence;  ///< per vertex: number of its quadrilaterals
   std::vector<QuadVertexKind> kind;   ///< per vertex
   std::vector<Index> original;        ///< per vertex: that of which it is a copy, or kNoIndex
+  std::vector<Index> next_copy;       ///< per vertex: the copies of one vertex form a circle
 
   Index quad_count() const { return static_cast<Index>(corner.size() / 4); }
   bool is_dead(Index quad) const { return corner[4 * static_cast<std::size_t>(quad)] == kNoIndex; }
@@ -59,7 +60,12 @@ void for_each_leaving(const QuadMesh& mesh, Index v, Visit&& visit) {
   } while (h >= 0 && h != first);
 }
 
-/// Whether a mesh edge joins u and v.
+/// Whether u and v are copies of one vertex.
+inline bool is_same(const QuadMesh& mesh, Index u, Index v) {
+  return u == v || (mesh.original[u] != kNoIndex && mesh.original[u] == mesh.original[v]);
+}
+
+/// Whether a mesh edge joins copies of u and v.
 bool are_adjacent(const QuadMesh& mesh, Index u, Index v);
 
 /// Cuts the mesh open along its segments. Precondition: `mesh` has quadrilaterals only and is

@@ -29,7 +29,7 @@ bool remove_doublet(QuadWork& work, Index v) {
   const std::array<Index, 4> corners{mesh.corner[bc], mesh.corner[cd], mesh.corner[de],
                                      mesh.corner[eb]};
   const std::array<Index, 4> twins{mesh.twin[bc], mesh.twin[cd], mesh.twin[de], mesh.twin[eb]};
-  if (corners[1] == corners[3]) return false;
+  if (is_same(mesh, corners[1], corners[3])) return false;
   const Index quad = quad_of(h);
   work.touch_quad(quad);
   work.remove_quad(quad_of(g));
@@ -70,16 +70,17 @@ bool undone(QuadWork& work) {
 }
 
 /// Whether a and c, opposite in the quadrilateral of h, have neighbours in common beyond its other
-/// two corners, are neighbours, or share another quadrilateral: then they must not be merged.
+/// two corners, are neighbours, or share another quadrilateral: then they must not be merged. c is
+/// free, hence without copies; a, b and d may have some.
 bool share_more(const QuadMesh& mesh, Index h) {
   const Index a = mesh.corner[h], c = mesh.corner[opposite_in_quad(h)];
   const Index b = mesh.corner[next_in_quad(h)], d = mesh.corner[previous_in_quad(h)];
-  const Index quad = quad_of(h);
   bool shared = false;
-  for_each_leaving(mesh, a, [&](Index g) {
-    if (quad_of(g) != quad && mesh.corner[opposite_in_quad(g)] == c) shared = true;
-    for (const Index n : {mesh.corner[next_in_quad(g)], mesh.corner[previous_in_quad(g)]})
-      if (n == c || (n != b && n != d && are_adjacent(mesh, c, n))) shared = true;
+  for_each_leaving(mesh, c, [&](Index g) {
+    if (quad_of(g) != quad_of(h) && is_same(mesh, mesh.corner[opposite_in_quad(g)], a))
+      shared = true;
+    const Index n = mesh.corner[next_in_quad(g)];  // every neighbour of c once
+    if (is_same(mesh, n, a) || (n != b && n != d && are_adjacent(mesh, a, n))) shared = true;
   });
   return shared;
 }
@@ -132,7 +133,7 @@ bool rotate_edge(QuadWork& work, Index h, int steps) {
     vertices[k] = mesh.corner[sides[k]];
     twins[k] = mesh.twin[sides[k]];
     for (int j = 0; j < k; ++j)
-      if (vertices[j] == vertices[k]) return false;
+      if (is_same(mesh, vertices[j], vertices[k])) return false;
     for (int j = 0; j < 6; ++j)
       if (twins[k] == sides[j]) return false;
   }
@@ -196,7 +197,7 @@ bool split_vertex(QuadWork& work, Index first, int count) {
   const Point given = mean_opposite(mesh, count, fan.size, leaving);
   const Index e_first = mesh.corner[next_in_quad(leaving(0))];
   const Index e_count = mesh.corner[next_in_quad(leaving(count))];
-  if (e_first == e_count) return false;
+  if (is_same(mesh, e_first, e_count)) return false;
   // Around the gap: v -> e_first, e_count -> v of the kept quads, and the same of the given ones.
   const std::array<Index, 4> twins{leaving(0), previous_in_quad(leaving(count - 1)), leaving(count),
                                    previous_in_quad(leaving(fan.size - 1))};
@@ -221,7 +222,7 @@ bool split_boundary_vertex(QuadWork& work, Index v, int begin, int end) {
                         : mesh.corner[previous_in_quad(leaving(fan.size - 1))];
   };
   const Index e_begin = spoke(begin), e_end = spoke(end);
-  if (e_begin == e_end) return false;
+  if (is_same(mesh, e_begin, e_end)) return false;
   // The rim of the new quad e_end, v, e_begin, w; a side of it may be on the boundary.
   const std::array<Index, 4> twins{
       end < fan.size ? leaving(end) : mesh.twin[previous_in_quad(leaving(fan.size - 1))],
@@ -250,7 +251,7 @@ bool rotate_vertex(QuadWork& work, Index v) {
     rim2[i] = mesh.twin[opposite_in_quad(h)];
     if (are_adjacent(mesh, v, opposite[i])) return false;
     for (int j = 0; j < i; ++j)
-      if (opposite[j] == opposite[i]) return false;
+      if (is_same(mesh, opposite[j], opposite[i])) return false;
     for (const Index rim : {rim1[i], rim2[i]})
       for (int j = 0; j < fan.size; ++j)
         if (rim >= 0 && quad_of(rim) == quad_of(fan.leaving[j])) return false;

@@ -28,6 +28,10 @@ bool split_boundary_vertex(QuadWork& work, Index v, int begin, int end);
 /// neighbours.
 bool rotate_vertex(QuadWork& work, Index v);
 
+/// Puts a smaller quadrilateral inside one and joins their corners: five for one. The cure for a
+/// flat boundary vertex with one quadrilateral only, which no other operation can help.
+bool inset_quad(QuadWork& work, Index quad);
+
 /// Removes the doublets of a fresh mesh.
 void remove_doublets(QuadWork& work);
 

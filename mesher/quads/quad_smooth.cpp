@@ -2,18 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "mesher/quads/on_curve.hpp"
 
 namespace anisofront {
 namespace {
-
-constexpr std::array<Vector, 8> kDirections{{{1, 0},
-                                             {-1, 0},
-                                             {0, 1},
-                                             {0, -1},
-                                             {0.70710678118654752, 0.70710678118654752},
-                                             {-0.70710678118654752, -0.70710678118654752},
-                                             {0.70710678118654752, -0.70710678118654752},
-                                             {-0.70710678118654752, 0.70710678118654752}}};
 
 /// x with R x = y: a vector of length |y| in the metric.
 Vector unscaled(const MetricFactor& r, Vector y) {
@@ -35,6 +29,7 @@ bool QuadSmoother::load(Index v) {
   const QuadMesh& mesh = work_.mesh;
   if (mesh.valence[v] > kMostSpokes) return false;
   size_ = 0;
+  fan_ = mesh.on_boundary(v);
   for_each_leaving(mesh, v, [&](Index h) {
     const WorkVertex& g = mesh.vertex_at(previous_in_quad(h));
     at_g_[size_] = g.r;
@@ -55,67 +50,103 @@ Point QuadSmoother::ideal_point() const {
 
 double QuadSmoother::energy(const WorkVertex& p, double limit) const {
   constexpr double kNotConvex = 1e12;  // no gain in length is worth it
+  const double edge_weight = 0.5 * work_.weights.length;
   const double inverse_p = inverse_of(p.r);
   double sum = 0;
   for (int i = 0; i < size_ && sum < limit; ++i) {
     const QuadView& spoke = spokes_[i];
     const QuadShape shape = quad_shape(spoke, p.p, p.r, inverse_p);
-    // Each edge at p belongs to two of the quadrilaterals, a quarter of the weight in each.
     sum += shape_energy(shape.low, shape.high, shape.least, work_.weights, kNotConvex) +
-           0.5 * work_.weights.length * work_.edge_defect(p, {spoke.q, spoke.at_q});
+           edge_weight * work_.edge_defect(p, {spoke.q, spoke.at_q});
   }
+  if (fan_) sum += edge_weight * work_.edge_defect(p, {spokes_[size_ - 1].g, at_g_[size_ - 1]});
   return sum;
 }
 
-WorkVertex QuadSmoother::placed(Point p, Index hint) const {
-  WorkVertex vertex{p, {}, hint};
-  vertex.r = work_.background.factor_at(p, vertex.hint);
-  return vertex;
+double QuadSmoother::attempt(Point p, Index hint, double limit) {
+  constexpr double kNegligible = 1e-7;
+  WorkVertex trial{p, {}, hint};
+  trial.r = work_.background.factor_at(p, trial.hint);
+  const double e = energy(trial, limit);
+  if (e >= least_ - kNegligible) return e;
+  least_ = e;
+  best_ = trial;
+  return e;
 }
 
+namespace {
+
+constexpr double kNoLimit = 1e300;
+
+/// Where the parabola through three energies at -step, 0 and step is lowest; a little beyond the
+/// lower end where it is hardly curved.
+double lowest(double behind, double here, double ahead, double step) {
+  const double curvature = ahead + behind - 2 * here;
+  const double slope = behind - ahead;
+  if (curvature > 0.25 * std::fabs(slope)) return 0.5 * step * slope / curvature;
+  return slope > 0 ? 1.5 * step : slope < 0 ? -1.5 * step : 0;
+}
+
+/// Whether a step of this length is worth repeating.
+bool is_worth(double gain, double energy) { return gain >= 0.02 * energy && gain >= 1e-4; }
+
+constexpr double kRefinement = 0.4;  ///< of the step
+constexpr double kLeastGain = 1e-6;
+
+}  // namespace
+
 bool QuadSmoother::improve(Index v, const SearchOptions& options, WorkVertex& better) {
-  constexpr double kNoLimit = 1e300, kNegligible = 1e-6;
   if (!load(v)) return false;
-  better = work_.mesh.vertices[v];
-  const double before = energy(better, kNoLimit);
-  double least = before;
-  const auto attempt = [&](Point p) {
-    const WorkVertex trial = placed(p, better.hint);
-    const double e = energy(trial, least);
-    if (e >= least - 1e-7) return false;
-    least = e;
-    better = trial;
-    return true;
-  };
-  const auto attempt_all = [&](Point p, Index hint, double& e) {
-    const WorkVertex trial = placed(p, hint);
-    e = energy(trial, kNoLimit);
-    if (e >= least - 1e-7) return;
-    least = e;
-    better = trial;
-  };
-  if (options.ideal_point) attempt(ideal_point());
+  best_ = work_.mesh.vertices[v];
+  const double before = least_ = energy(best_, kNoLimit);
+  if (options.ideal_point) attempt(ideal_point(), best_.hint, least_);
   for (double step = options.first_step; step >= options.last_step;) {
-    const WorkVertex base = better;
-    const double at_base = least;
-    // Curvature along the two axes of the metric, then the lowest point of the parabolas.
-    const auto along = [&](Vector direction) {
+    const WorkVertex base = best_;
+    const double here = least_;
+    const auto along = [&](Vector direction) {  // an axis of the metric
       const Vector d = unscaled(base.r, step * direction);
-      double ahead = kNoLimit, behind = kNoLimit;
-      attempt_all(base.p + d, base.hint, ahead);
-      attempt_all(base.p - d, base.hint, behind);
-      const double curvature = ahead + behind - 2 * at_base;
-      const double slope = behind - ahead;
-      if (!(curvature > std::fabs(slope) * 0.25))
-        return slope > 0 ? 1.5 * step : slope < 0 ? -1.5 * step : 0.;
-      return 0.5 * step * slope / curvature;
+      const double ahead = attempt(base.p + d, base.hint, kNoLimit);
+      const double behind = attempt(base.p - d, base.hint, kNoLimit);
+      return lowest(behind, here, ahead, step);
     };
-    const Vector move{along({1, 0}), along({0, 1})};
-    attempt(base.p + unscaled(base.r, move));
-    const double gain = at_base - least;
-    if (gain < 0.02 * at_base || gain < 1e-4 || !options.diagonals) step *= 0.4;
+    const double x = along({1, 0}), y = along({0, 1});
+    attempt(base.p + unscaled(base.r, {x, y}), base.hint, least_);
+    if (!options.repeat || !is_worth(here - least_, here)) step *= kRefinement;
   }
-  return least < before - kNegligible;
+  better = best_;
+  return least_ < before - kLeastGain;
+}
+
+bool QuadSmoother::slide(Index v, const SearchOptions& options, WorkVertex& better,
+                         double& parameter) {
+  constexpr double kMargin = 0.1;  // of the way between the neighbours
+  if (!load(v)) return false;
+  const Segment& from = work_.segments[work_.tracks[v].before];
+  const Segment& to = work_.segments[work_.tracks[v].after];
+  const NurbsCurve& curve = work_.domain->curves[from.curve].curve;
+  const Point a = work_.mesh.vertices[from.a].p, b = work_.mesh.vertices[to.b].p;
+  best_ = work_.mesh.vertices[v];
+  parameter = from.parameter_b;
+  const double before = least_ = energy(best_, kNoLimit);
+  const double low = std::lerp(from.parameter_a, to.parameter_b, kMargin);
+  const double high = std::lerp(to.parameter_b, from.parameter_a, kMargin);
+  const double speed = length(best_.r, derivatives(curve, parameter).first);
+  if (!(speed > 0)) return false;
+  const auto attempt_at = [&](double t) {
+    t = std::clamp(t, low, high);
+    const double earlier = least_;
+    const double e = attempt(point_between(curve, t, a, b), best_.hint, kNoLimit);
+    if (least_ < earlier) parameter = t;
+    return e;
+  };
+  for (double step = options.first_step / speed; step * speed >= options.last_step;
+       step *= kRefinement) {
+    const double t = parameter, here = least_;
+    const double ahead = attempt_at(t + step), behind = attempt_at(t - step);
+    attempt_at(t + lowest(behind, here, ahead, step));
+  }
+  better = best_;
+  return least_ < before - kLeastGain;
 }
 
 namespace {
@@ -133,40 +164,59 @@ void activate_around(const QuadMesh& mesh, Index v, std::vector<char>& active) {
 
 }  // namespace
 
+namespace {
+
+/// Moves v to a better place, if there is one; how far, in squared metric length.
+double relocate(QuadWork& work, QuadSmoother& smoother, Index v, const SearchOptions& options) {
+  WorkVertex better;
+  double parameter = 0;
+  const bool slides = work.may_slide(v);
+  if (!(slides ? smoother.slide(v, options, better, parameter)
+               : smoother.improve(v, options, better)))
+    return 0;
+  if (slides)
+    work.segments[work.tracks[v].before].parameter_b =
+        work.segments[work.tracks[v].after].parameter_a = parameter;
+  const Vector move = better.p - work.mesh.vertices[v].p;
+  work.mesh.vertices[v] = better;
+  for_each_leaving(work.mesh, v, [&](Index h) { work.energy[quad_of(h)] = -1; });
+  return squared_length(better.r, move);
+}
+
+bool may_move(const QuadWork& work, Index v) {
+  return work.mesh.leaving[v] != kNoIndex && (work.mesh.is_free(v) || work.may_slide(v));
+}
+
+}  // namespace
+
 void smooth_some(QuadWork& work, std::vector<Index> vertices, int sweeps,
                  const SearchOptions& options) {
-  QuadMesh& mesh = work.mesh;
   QuadSmoother smoother(work);
-  std::vector<char> active(mesh.vertices.size(), 0);
+  const Index all = static_cast<Index>(work.mesh.vertices.size());
+  std::vector<char> active(all, 0);
   for (const Index v : vertices) active[v] = 1;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     bool any = false;
     // From the second sweep on neighbours of what moved take part, also those not asked for.
-    const Index count =
-        sweep == 0 ? static_cast<Index>(vertices.size()) : static_cast<Index>(mesh.vertices.size());
+    const Index count = sweep == 0 ? static_cast<Index>(vertices.size()) : all;
     for (Index i = 0; i < count; ++i) {
       const Index v = sweep == 0 ? vertices[i] : i;
-      if (!active[v] || !mesh.is_free(v) || mesh.leaving[v] == kNoIndex) continue;
+      if (!active[v] || !may_move(work, v)) continue;
       active[v] = 0;
-      WorkVertex better;
-      if (!smoother.improve(v, options, better)) continue;
-      const Vector move = better.p - mesh.vertices[v].p;
-      mesh.vertices[v] = better;
-      for_each_leaving(mesh, v, [&](Index h) { work.energy[quad_of(h)] = -1; });
-      if (squared_length(better.r, move) < kNoticeable * kNoticeable) continue;
-      activate_around(mesh, v, active);
+      if (relocate(work, smoother, v, options) < kNoticeable * kNoticeable) continue;
+      activate_around(work.mesh, v, active);
       any = true;
     }
     if (!any) break;
   }
-  for (Index q = 0; q < mesh.quad_count(); ++q)
-    if (work.energy[q] < 0 && !mesh.is_dead(q)) work.update_energy(q);
+  for (Index q = 0; q < work.mesh.quad_count(); ++q)
+    if (work.energy[q] < 0 && !work.mesh.is_dead(q)) work.update_energy(q);
 }
 
 void smooth_all(QuadWork& work, int sweeps, const SearchOptions& options) {
   std::vector<Index> all;
   for (Index v = 0; v < static_cast<Index>(work.mesh.vertices.size()); ++v)
-    if (work.mesh.leaving[v] != kNoIndex && work.mesh.is_free(v)) all.push_back(v);
+    if (may_move(work, v)) all.push_back(v);
   smooth_some(work, std::move(all), sweeps, options);
 }
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "mesher/quads/convexity.hpp"
+
 namespace anisofront {
 namespace {
 
@@ -41,6 +43,33 @@ void QuadWork::set_ideal_valences() {
   }
 }
 
+void QuadWork::allow_sliding(const Domain& with_curves, std::vector<Segment> on_curves,
+                             const std::vector<Index>& pinned) {
+  domain = &with_curves;
+  segments = std::move(on_curves);
+  tracks.assign(mesh.vertices.size(), {});
+  std::vector<char> many(tracks.size(), 0);
+  for (std::size_t v = 0; v < many.size(); ++v)
+    many[v] = mesh.next_copy[v] != static_cast<Index>(v);
+  const auto enter = [&](Index& place, Index v, std::size_t segment) {
+    if (place != kNoIndex) many[v] = 1;
+    place = static_cast<Index>(segment);
+  };
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    enter(tracks[segments[s].b].before, segments[s].b, s);
+    enter(tracks[segments[s].a].after, segments[s].a, s);
+  }
+  for (const Index v : pinned)
+    if (v != kNoIndex) many[v] = 1;
+  for (std::size_t v = 0; v < tracks.size(); ++v) {
+    SlideTrack& track = tracks[v];
+    const bool between = !many[v] && track.before != kNoIndex && track.after != kNoIndex &&
+                         segments[track.before].curve == segments[track.after].curve &&
+                         segments[track.before].parameter_b == segments[track.after].parameter_a;
+    if (!between) track = {};
+  }
+}
+
 QuadShape QuadWork::shape_of(Index quad) const {
   const Index h = 4 * quad;
   const WorkVertex& p = mesh.vertex_at(h);
@@ -55,14 +84,16 @@ double QuadWork::beta_of(Index quad) const {
 
 QuadWork::Energy QuadWork::energy_of(Index quad) const {
   constexpr double kNotConvex = 40;
-  const QuadShape shape = shape_of(quad);
+  QuadShape shape = shape_of(quad);
   double lengths = 0;
+  bool flat = false;
   for (Index h = 4 * quad; h < 4 * quad + 4; ++h) {
     const Index a = mesh.corner[h], b = mesh.corner[next_in_quad(h)];
-    const bool boundary = mesh.on_boundary(a) && mesh.on_boundary(b);
-    lengths +=
-        (boundary ? kBoundaryEdgeShare : 1.) * edge_defect(mesh.vertices[a], mesh.vertices[b]);
+    lengths += (mesh.twin[h] < 0 ? 2 : 1) * edge_defect(mesh.vertices[a], mesh.vertices[b]);
+    flat = flat || !is_convex_corner(mesh.vertices[a].p, mesh.vertices[b].p,
+                                     mesh.vertex_at(opposite_in_quad(h)).p);
   }
+  if (flat) shape.least = std::min(shape.least, 0.);
   return {shape_energy(shape.low, shape.high, shape.least, weights, kNotConvex) +
               0.25 * weights.length * lengths,
           shape.least > 0};
@@ -122,6 +153,7 @@ Index QuadWork::add_vertex(const WorkVertex& vertex) {
   mesh.valence.push_back(0);
   mesh.kind.push_back(QuadVertexKind::free);
   mesh.original.push_back(kNoIndex);
+  mesh.next_copy.push_back(static_cast<Index>(mesh.vertices.size()) - 1);
   ideal.push_back(4);
   changed_at.push_back(commits_);
   vertex_stamp_.push_back(stamp_);
@@ -248,6 +280,7 @@ void QuadWork::undo() {
   mesh.valence.resize(vertices);
   mesh.kind.resize(vertices);
   mesh.original.resize(vertices);
+  mesh.next_copy.resize(vertices);
   ideal.resize(vertices);
   changed_at.resize(vertices);
   vertex_stamp_.resize(vertices);

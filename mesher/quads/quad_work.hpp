@@ -5,10 +5,16 @@
 #include <vector>
 
 #include "mesher/background/background_mesh.hpp"
+#include "mesher/geometry/domain.hpp"
 #include "mesher/quads/quad_energy.hpp"
 #include "mesher/quads/quad_mesh.hpp"
 
 namespace anisofront {
+
+/// The segments before and after a boundary vertex that may slide along their curve.
+struct SlideTrack {
+  Index before = kNoIndex, after = kNoIndex;
+};
 
 /// A quadrilateral mesh with the energy of every quadrilateral, changed in transactions that can be
 /// undone: begin, touch what will change, change it, then commit or undo.
@@ -24,6 +30,17 @@ class QuadWork {
   std::vector<char> convex;               ///< per quad, as the energy sees it
   std::vector<std::uint8_t> ideal;        ///< per vertex: ideal valence, 4 inside
   std::vector<std::uint32_t> changed_at;  ///< per vertex: number of the last commit at it
+
+  /// Lets vertices between two segments of one curve slide along it while the mesh is smoothed, but
+  /// those at the ends of curves, at junctions, on interfaces and the `pinned`.
+  void allow_sliding(const Domain& domain, std::vector<Segment> segments,
+                     const std::vector<Index>& pinned);
+  bool may_slide(Index v) const {
+    return v < static_cast<Index>(tracks.size()) && tracks[v].before != kNoIndex;
+  }
+  const Domain* domain = nullptr;  ///< of the curves, where sliding is allowed
+  std::vector<Segment> segments;   ///< with the parameters of the vertices
+  std::vector<SlideTrack> tracks;  ///< per vertex of the first mesh, or empty
 
   struct Energy {
     double value;

@@ -10,20 +10,19 @@
 #include "mesher/geometry/error.hpp"
 #include "mesher/geometry/predicates.hpp"
 #include "mesher/geometry/stopwatch.hpp"
+#include "mesher/quads/convexity.hpp"
 #include "mesher/quads/pairing.hpp"
 #include "mesher/quads/paper_conversion.hpp"
+#include "mesher/quads/paper_quads.hpp"
 #include "mesher/quads/quad_levels.hpp"
 
 namespace anisofront {
 namespace {
 
 bool is_convex(const MixedMesh& mesh, const MixedFace& face) {
-  const int n = face.size();
-  for (int k = 0; k < n; ++k) {
-    const auto corner = [&](int i) { return mesh.vertices[face.vertices[(k + i) % n]].p; };
-    if (orientation(corner(0), corner(1), corner(2)) <= 0) return false;
-  }
-  return true;
+  const auto corner = [&](int k) { return mesh.vertices[face.vertices[k]].p; };
+  return face.is_quad() ? is_convex_quad({corner(0), corner(1), corner(2), corner(3)})
+                        : orientation(corner(0), corner(1), corner(2)) > 0;
 }
 
 /// The first face that is not strictly convex.
@@ -35,13 +34,16 @@ const MixedFace* first_not_convex(const MixedMesh& mesh) {
 
 /// Regular divisions that leave some hundred coarse quadrilaterals.
 int levels_for(double wanted) {
-  constexpr double kThriceFrom = 40000, kTwiceFrom = 6000, kOnceFrom = 60;
+  constexpr double kThriceFrom = 25000, kTwiceFrom = 6000, kOnceFrom = 60;
   return wanted >= kThriceFrom ? 3 : wanted >= kTwiceFrom ? 2 : wanted >= kOnceFrom ? 1 : 0;
 }
 
-std::vector<QuadStart> starts_for(const QuadOptions& options) {
+/// None of the starts is always the best one; more of them are tried where that costs little.
+std::vector<QuadStart> starts_for(const QuadOptions& options, double wanted) {
+  constexpr double kSmall = 5000;
   if (options.start != QuadStart::automatic) return {options.start};
   if (options.effort == QuadEffort::fast) return {QuadStart::right_angle};
+  if (wanted >= kSmall) return {QuadStart::right_angle, QuadStart::equilateral};
   return {QuadStart::right_angle, QuadStart::equilateral, QuadStart::greedy, QuadStart::systematic};
 }
 
@@ -50,42 +52,64 @@ std::vector<QuadStart> starts_for(const QuadOptions& options) {
 /// too fast to be followed, and correcting them would not help.
 void try_start(const QuadrangulateInput& input, Attempt attempt, const Monitor& monitor,
                std::vector<LevelMesh>& made) {
-  constexpr int kCorrections = 2;
-  constexpr double kFewest = 0.97, kMost = 1.035, kFollowed = 0.8;
-  for (int round = 0; round <= kCorrections; ++round) {
+  constexpr double kSmall = 5000;
+  const int corrections = wanted_quads(input.background) < kSmall ? 2 : 1;
+  constexpr double kFollowed = 0.8;
+  const bool fast = input.options.effort == QuadEffort::fast;
+  const double fewest = fast ? 0.95 : 0.97, most = fast ? 1.05 : 1.035;
+  for (int round = 0; round <= corrections; ++round) {
     LevelMesh level = coarse_quads(input, attempt, monitor);
     if (!level.pure) return;
     const double ratio = level.count_ratio;
     made.push_back(std::move(level));
-    if (input.options.effort == QuadEffort::fast || (ratio > kFewest && ratio < kMost)) return;
+    if (ratio > fewest && ratio < most) return;
     if (ratio < kFollowed || ratio * kFollowed > 1) return;
     attempt.size_factor *= std::sqrt(ratio);
   }
 }
 
-/// The best coarse mesh divided down, or, should that leave something that is not convex, the next.
+/// Whether the number of quadrilaterals is near enough to the wanted one.
+bool is_followed(const LevelMesh& level) {
+  constexpr double kLeast = 0.85;
+  return level.count_ratio > kLeast && level.count_ratio * kLeast < 1;
+}
+
+/// The best coarse meshes divided down, and of these the best; should that leave something that is
+/// not convex, the next. Nothing where a coarse mesh cannot follow the sizes.
 std::optional<LevelMesh> divided_quads(const QuadrangulateInput& input, int levels,
                                        const std::vector<QuadStart>& starts,
                                        const Monitor& monitor) {
+  constexpr double kSmall = 2500;  // up to here three are compared
+  constexpr double kGoodScore = 0.7;
+  const bool compare =
+      input.options.effort == QuadEffort::best && input.background.complexity() < kSmall;
   std::vector<LevelMesh> made;
-  for (const QuadStart start : starts) try_start(input, {levels, 1, start}, monitor, made);
+  for (const QuadStart start : starts) {
+    try_start(input, {levels, 1, start}, monitor, made);
+    if (made.empty()) continue;
+    if (levels > 0 && !is_followed(made.back())) return std::nullopt;
+    if (!compare && made.back().score < kGoodScore) break;
+  }
   std::stable_sort(made.begin(), made.end(),
                    [](const LevelMesh& x, const LevelMesh& y) { return x.score < y.score; });
+  std::optional<LevelMesh> best;
+  int divided = 0;
   for (LevelMesh& level : made) {
+    if (best && ++divided >= (compare ? 3 : 1)) break;
     refine_levels(input, levels, level, monitor);
-    if (!first_not_convex(level.mesh)) return std::move(level);
+    if (first_not_convex(level.mesh)) continue;
+    if (!best || level.score < best->score) best = std::move(level);
   }
-  return std::nullopt;
+  return best;
 }
 
-/// A mesh that is convex for certain: convex pairs only, every face divided (a triangle into
-/// three), then cleaned without ever losing convexity.
-LevelMesh safe_quads(const QuadrangulateInput& input, double chord_height, const Monitor& monitor) {
+/// A mesh that is convex for certain, on resolved boundaries: convex pairs only, every face divided
+/// (a triangle into three), then cleaned without ever losing convexity.
+LevelMesh safe_quads(const QuadrangulateInput& input, const Attempt& attempt, double chord_height,
+                     const Monitor& monitor) {
   QuadrangulateInput finer = input;
   if (chord_height > 0) finer.boundary.chord_height = chord_height;
   LevelMesh level;
-  // A triangle becomes three quadrilaterals: sizes between 1 and 2.
-  const Attempt attempt{0, 1.8, QuadStart::equilateral};
   Boundary boundary = coarse_triangulation(finer, attempt, false, level.statistics, monitor);
   level.point_vertices = std::move(boundary.point_vertices);
   const MixedMesh mixed = pair_triangles(boundary.mesh, level.point_vertices, Pairing::beta_order);
@@ -95,22 +119,26 @@ LevelMesh safe_quads(const QuadrangulateInput& input, double chord_height, const
   return level;
 }
 
-/// Safe meshes on boundaries ever closer to their curves.
+/// Safe meshes with boundaries ever closer to their curves, finer and finer inside.
 LevelMesh safe_quads(const QuadrangulateInput& input, const Monitor& monitor) {
   constexpr int kRounds = 6;
   const Vector diagonal = input.background.bounds().high - input.background.bounds().low;
+  Attempt attempt{1, 0.9, QuadStart::equilateral};  // a triangle becomes three quadrilaterals
   double chord_height = 0;
   for (int round = 0;; ++round) {
-    LevelMesh level = safe_quads(input, chord_height, monitor);
+    LevelMesh level = safe_quads(input, attempt, chord_height, monitor);
     const MixedFace* bad = first_not_convex(level.mesh);
     if (!bad) return level;
     if (round == kRounds) {
       const Point p = level.mesh.vertices[bad->vertices[0]].p;
-      throw MeshingError(
-          "no convex quadrilateral fits near (" + std::to_string(p.x) + ", " + std::to_string(p.y) +
-          "): the boundary bends too much for the wanted sizes; ask for smaller ones there");
+      throw MeshingError("no convex quadrilateral fits near (" + std::to_string(p.x) + ", " +
+                         std::to_string(p.y) + "): the boundary bends too much for the wanted " +
+                         "sizes; ask for smaller ones there");
     }
     chord_height = chord_height > 0 ? 0.25 * chord_height : 0.01 * norm(diagonal);
+    attempt.size_factor *= 0.8;
+    attempt.start =
+        attempt.start == QuadStart::equilateral ? QuadStart::right_angle : QuadStart::equilateral;
   }
 }
 
@@ -119,52 +147,43 @@ Quadrangulation finished(const QuadrangulateInput& input, LevelMesh level) {
   return {std::move(level.mesh), std::move(level.point_vertices), level.statistics};
 }
 
-/// With as few coarse quadrilaterals as here, a structured mesh may be better than a divided one.
-std::optional<LevelMesh> undivided_quads(const QuadrangulateInput& input, const Monitor& monitor) {
-  const std::vector<QuadStart> starts = starts_for(input.options);
-  return divided_quads(input, 0, {starts.front()}, monitor);
-}
-
+/// The usual number of divisions; fewer where the coarse mesh cannot follow the sizes. Small meshes
+/// are also tried without any: a structured one may be better than a divided one.
 Quadrangulation best_quads(const QuadrangulateInput& input, const Monitor& monitor) {
   constexpr double kSmall = 800;
   const double wanted = input.background.complexity();
-  const int levels = levels_for(wanted);
-  std::optional<LevelMesh> best = divided_quads(input, levels, starts_for(input.options), monitor);
+  const std::vector<QuadStart> starts = starts_for(input.options, wanted);
   const bool small = wanted < kSmall && input.options.effort == QuadEffort::best;
-  if (levels > 0 && (small || !best)) {
-    std::optional<LevelMesh> undivided = undivided_quads(input, monitor);
-    if (undivided && (!best || undivided->score < best->score)) best = std::move(undivided);
-  }
+  std::optional<LevelMesh> best;
+  const auto keep_better = [&](std::optional<LevelMesh> made) {
+    if (made && (!best || made->score < best->score)) best = std::move(made);
+    input.background.set_size_factor(1);
+  };
+  int levels = levels_for(wanted);
+  keep_better(divided_quads(input, levels, starts, monitor));
+  while (levels > 0 && (!best || !is_followed(*best)))
+    keep_better(divided_quads(input, --levels, starts, monitor));
+  if (levels > 0 && small) keep_better(divided_quads(input, 0, {starts.front()}, monitor));
+  if (!best)
+    keep_better(divided_quads(input, 0, {QuadStart::equilateral, QuadStart::systematic}, monitor));
   return finished(input, best ? std::move(*best) : safe_quads(input, monitor));
 }
 
-Quadrangulation paper_quads(const QuadrangulateInput& input, const Monitor& monitor) {
-  LevelMesh level;
-  const Attempt attempt{1, 1, QuadStart::equilateral};
-  Boundary boundary = coarse_triangulation(input, attempt, false, level.statistics, monitor);
-  Stopwatch watch;
-  level.point_vertices = std::move(boundary.point_vertices);
-  MixedMesh mixed = pair_triangles(boundary.mesh, level.point_vertices, Pairing::beta_order);
-  level.statistics.pairing += watch.lap();
-  smooth_mixed(input.background, mixed);
-  eliminate_triangles(input.background, mixed);
-  input.background.set_size_factor(1);
-  level.mesh = divide_mixed(input.domain, input.background, mixed, true);
-  smooth_mixed(input.background, level.mesh);
-  level.statistics.levels = 1;
-  level.statistics.cleaning += watch.lap();
+Quadrangulation published_quads(const QuadrangulateInput& input, const Monitor& monitor) {
+  LevelMesh level = paper_quads(input, monitor);
   if (first_not_convex(level.mesh)) {
     monitor.warning(
         "the paper's conversion leaves quadrilaterals that are not convex; another is used");
-    return finished(input, safe_quads(input, monitor));
+    level = safe_quads(input, monitor);
   }
+  warn_about_bad_quads(level.mesh, monitor);
   return finished(input, std::move(level));
 }
 
 }  // namespace
 
 Quadrangulation quadrangulate(const QuadrangulateInput& input, const Monitor& monitor) {
-  return input.options.method == QuadMethod::paper ? paper_quads(input, monitor)
+  return input.options.method == QuadMethod::paper ? published_quads(input, monitor)
                                                    : best_quads(input, monitor);
 }
 

@@ -16,14 +16,15 @@ namespace anisofront {
 enum class Elements { triangle, quadrilateral, mixed };
 
 /// best: coarse right-angle frame, clean-up by local operations, division, clean-up again;
-/// paper: the five steps of section 3 to the letter (with ERRATA).
+/// paper: the five steps of section 3 (with ERRATA and what paper_quads() says).
 enum class QuadMethod { best, paper };
 
 /// How long to search for better quadrilaterals.
 enum class QuadEffort { fast, best };
 
-/// What the first quadrilaterals are made from (method best). `automatic` tries several on the
-/// coarse level and keeps the one of least energy when the effort is best.
+/// What the first quadrilaterals are made from. `automatic` tries several on the coarse level and
+/// keeps the one of least energy when the effort is best. Method paper: `systematic` merges layer
+/// by layer, all others in the order of beta~.
 enum class QuadStart { automatic, right_angle, equilateral, greedy, systematic };
 
 struct QuadOptions {

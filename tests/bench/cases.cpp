@@ -106,15 +106,14 @@ void remesh(BenchInput& input) {
 }  // namespace
 
 const std::vector<BenchCase>& bench_cases() {
-  static const std::vector<BenchCase> cases{
-      {"uniform", 1, uniform, true},
-      {"example-2", 10, example_2, true},
-      {"layer", 1, layer},
-      {"sine", 1, sine},
-      {"example-1", 10, example_1},
-      {"example-2-anisotropic", 10, example_2_anisotropic},
-      {"wall", 1, wall},
-      {"arc", 1, arc}};
+  static const std::vector<BenchCase> cases{{"uniform", 1, uniform, true},
+                                            {"example-2", 10, example_2, true},
+                                            {"layer", 1, layer},
+                                            {"sine", 1, sine},
+                                            {"example-1", 10, example_1},
+                                            {"example-2-anisotropic", 10, example_2_anisotropic},
+                                            {"wall", 1, wall},
+                                            {"arc", 1, arc}};
   return cases;
 }
 

@@ -14,6 +14,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
+# shellcheck disable=SC2034 # build is read by common.sh
 build=build/bench triangles=100000 large=1000000 repetitions=5 folder=
 while getopts b:n:l:r:k: option; do
   case $option in
@@ -28,27 +29,18 @@ done
 shift $((OPTIND - 1))
 cases=("$@")
 [ ${#cases[@]} -gt 0 ] || cases=(uniform example-2 layer sine)
-anisofront=$build/anisofront bench_cases=$build/tests/bench/bench_cases
-for program in "$anisofront" "$bench_cases" ffbamg jq /usr/bin/time; do
-  command -v "$program" >/dev/null || { echo "compare.sh: no $program" >&2; exit 2; }
-done
-if [ -z "$folder" ]; then
-  folder=$(mktemp -d)
-  trap 'rm -rf "$folder"' EXIT
-fi
-mkdir -p "$folder"
+# shellcheck source=tests/bench/common.sh
+. tests/bench/common.sh
+require "$anisofront" "$bench_cases" ffbamg jq /usr/bin/time
+make_folder
 
-# on_core_0 RESULT COMMAND...: appends a line "seconds kilobytes" to the file RESULT.
-on_core_0() {
-  local result=$1 cpu TIMEFORMAT='%3U %3S'
-  shift
-  cpu=$({ time /usr/bin/time -o "$folder/memory" -f %M taskset -c 0 "$@" >"$folder/output" 2>&1; } 2>&1) ||
-    { cat "$folder/output" >&2; echo "compare.sh: failed: $*" >&2; exit 2; }
-  echo "$cpu $(tail -1 "$folder/memory")" | awk '{print $1 + $2, $3}' >>"$result"
+# measured RESULT COMMAND...: on_core_0, stops when the command fails.
+measured() {
+  on_core_0 "$@" && return
+  cat "$folder/output" >&2
+  echo "compare.sh: failed: ${*:2}" >&2
+  exit 2
 }
-
-# column K FILE: median of column K.
-column() { awk -v k="$1" '{print $k}' "$2" | sort -g | awk '{v[NR] = $1} END {print v[int((NR + 1) / 2)]}'; }
 
 count() { awk '/^Triangles/ {getline; print $1; exit}' "$1"; }
 
@@ -59,8 +51,8 @@ quality() {
     jq -r '[.quality.mean, .quality.min, .edge_length["in_unit_band"]] | @tsv'
 }
 
-ours() { on_core_0 "$1.ours" "$anisofront" mesh "$1.mesh" --metric "$1.sol" -v -o "$1.ours.mesh"; }
-bamg() { on_core_0 "$1.bamg" ffbamg -b "$1.mesh" -M "$1.mtr" -nbv "$2" -o "$1.bamg.mesh"; }
+ours() { measured "$1.ours" "$anisofront" mesh "$1.mesh" --metric "$1.sol" -v -o "$1.ours.mesh"; }
+bamg() { measured "$1.bamg" ffbamg -b "$1.mesh" -M "$1.mtr" -nbv "$2" -o "$1.bamg.mesh"; }
 
 # row CASE PROGRAM NAME SCALE: one line of a table.
 row() {

@@ -27,6 +27,22 @@ VariantHistory run_example(const std::string& name, const std::string& mode) {
                      {"mesh.preset=best", "mesh.elements=triangle", "adapt.mode=" + mode});
 }
 
+/// Pure convex quadrilaterals, their number within 5 percent of the wanted one.
+void check_quads(const MeshStatistics& s) {
+  CHECK(s.triangles == 0);
+  CHECK(s.quads == s.elements);
+  CHECK(s.quality_min > 0);
+  CHECK(s.angle_max < 180);
+  CHECK(s.quads > 0.95 * s.complexity);
+  CHECK(s.quads < 1.05 * s.complexity);
+}
+
+VariantHistory run_quads(const std::string& study, const std::vector<std::string>& settings) {
+  std::vector<std::string> all(settings);
+  all.emplace_back("mesh.elements=quadrilateral");
+  return run_variant(study, all);
+}
+
 void check_floor(const MeshStatistics& s, const Floor& floor) {
   CHECK(s.quality_mean >= floor.mean);
   CHECK(s.quality_min >= floor.min);
@@ -101,6 +117,28 @@ TEST_SUITE("golden") {
     }
   }
 
+  TEST_CASE("quadrilaterals are perfect along a wall") {
+    const VariantHistory history = run_quads("wall-layer.toml", {});
+    const MeshStatistics& s = history.cycles.back().exact.value();
+    check_quads(s);
+    check_floor(s, {0.985, 0.9, 100, 100, 0.9, 1.1});
+  }
+
+  TEST_CASE("quadrilaterals follow a curved layer") {
+    const VariantHistory history = run_quads("curved-layer.toml", {"adapt.cycles=3"});
+    const MeshStatistics& s = history.cycles.back().exact.value();
+    check_quads(s);
+    check_floor(s, {0.81, 0.25, 98, 99.5, 0.6, 1.7});
+  }
+
+  TEST_CASE("quadrilaterals follow the anisotropic layers of Example 2") {
+    const VariantHistory history = run_quads(
+        "paper/example-2.toml", {"mesh.preset=best", "adapt.mode=anisotropic", "adapt.cycles=3"});
+    const MeshStatistics& s = history.cycles.back().exact.value();
+    check_quads(s);
+    check_floor(s, {0.86, 0.33, 99.3, 99.5, 0.6, 1.6});
+  }
+
   TEST_CASE("edge-length distributions settle by cycle 3") {
     const VariantHistory history = run_example("example-2", "anisotropic");
     CHECK(distribution_change(history.cycles[0], history.cycles[1]) > 0.5);
@@ -118,6 +156,42 @@ TEST_SUITE("golden") {
 }
 
 TEST_SUITE("slow") {
+  TEST_CASE("quadrilaterals follow the intersected layers of Example 1") {
+    const MeshStatistics& s =
+        run_quads("paper/example-1.toml", {"mesh.preset=best"}).cycles.back().exact.value();
+    check_quads(s);
+    check_floor(s, {0.88, 0.33, 99.3, 99.9, 0.6, 1.6});
+  }
+
+  TEST_CASE("quadrilaterals follow Examples 2 and 4 isotropic") {
+    for (const auto& [name, mean] : {std::pair{"example-2", 0.80}, std::pair{"example-4", 0.84}}) {
+      CAPTURE(name);
+      const VariantHistory history = run_quads("paper/" + std::string(name) + ".toml",
+                                               {"mesh.preset=best", "adapt.mode=isotropic"});
+      const MeshStatistics& s = history.cycles.back().exact.value();
+      check_quads(s);
+      check_floor(s, {mean, 0.28, 99, 99.85, 0.55, 1.65});
+    }
+  }
+
+  // Against the background, whose gradation is limited. The toe of the dam has 13 degrees.
+  TEST_CASE("quadrilaterals follow the background metric of Examples 3 and 4") {
+    struct Row {
+      std::string study, mode;
+      Floor floor;
+    };
+    for (const Row& row : {Row{"example-4", "anisotropic", {0.72, 0.20, 90, 97, 0.4, 1.8}},
+                           Row{"example-3", "isotropic", {0.71, 0.23, 97, 99, 0.4, 1.8}},
+                           Row{"example-3", "anisotropic", {0.70, 0.08, 93, 97, 0.3, 1.9}}}) {
+      CAPTURE(row.study);
+      const VariantHistory history =
+          run_quads("paper/" + row.study + ".toml", {"mesh.preset=best", "adapt.mode=" + row.mode});
+      const MeshStatistics& s = history.cycles.back().background;
+      CHECK(s.triangles == 0);
+      check_floor(s, row.floor);
+    }
+  }
+
   TEST_CASE("isotropic meshes need ten times the vertices for the same error") {
     const CycleRecord isotropic = run_variant("reaction-diffusion-layer.toml",
                                               {"adapt.mode=isotropic", "adapt.target.nodes=12000"})

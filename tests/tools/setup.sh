@@ -13,7 +13,7 @@ for option in "$@"; do
   case "$option" in
     --tests) packages="$packages clang-format doctest-dev librapidcheck-dev libcgal-dev gmsh
       universal-ctags" ;;
-    --bench) packages="$packages libbenchmark-dev freefem++ jq time" ;;
+    --bench) packages="$packages libbenchmark-dev freefem++ gmsh rheolef jq time" ;;
     *) echo "setup.sh: unknown option $option; there are --tests and --bench" >&2; exit 3 ;;
   esac
 done

@@ -116,6 +116,41 @@ TEST_SUITE("unit") {
     CHECK(at_middle == Approx(std::log(2.) / 0.1).epsilon(0.01));
   }
 
+  TEST_CASE("old segments are measured in a coarser metric as finely as in the metric itself") {
+    // The graded side of Example 2 as 16 edges, sizes linear between: half its length is 8.476,
+    // below the switch of Eqn 19 at sqrt(72) = 8.485, and the trapezoid rule on quarters of the
+    // coarse metric would make 8.490 of it.
+    const auto h = [](double x) { return 0.05 + 0.2 * std::pow(x, 1.25); };
+    Mesh old = crossed_rectangle(16, 1, {0, 0}, {10, 1});
+    std::vector<CurveEdge> edges;
+    std::vector<double> ends{0};
+    for (double x = 0, length = 0; ends.size() < 16;) {
+      constexpr double kStep = 1e-4, kTotal = 16.989;  // of the side
+      x += kStep;
+      length += kStep / h(x - 0.5 * kStep);
+      if (length >= kTotal / 16 * static_cast<double>(ends.size())) ends.push_back(x);
+    }
+    ends.push_back(10);
+    double exact = 0;  // half of the integral of dx / h with h linear between the ends
+    for (Index i = 0; i < 16; ++i) {
+      old.points[i + 1].x = old.points[i + 18].x = ends[i + 1];
+      old.points[34 + i].x = 0.5 * (ends[i] + ends[i + 1]);
+      edges.push_back({{i, i + 1}, 1, 0, {ends[i] / 10, ends[i + 1] / 10}});
+      const double h0 = h(ends[i]), h1 = h(ends[i + 1]);
+      exact += 0.5 * (ends[i + 1] - ends[i]) * std::log(h1 / h0) / (h1 - h0);
+    }
+    REQUIRE(exact == Approx(8.4765).epsilon(1e-4));
+    BackgroundMesh background(old, sample(old, [&](Point p) { return metric_from_size(h(p.x)); }));
+    background.set_size_factor(2);
+    Index hint = 0;
+    const double length = measure_old_segments(background, old, edges, hint).total();
+    CHECK(length == Approx(exact).epsilon(8e-4));
+    CHECK(segment_count(length) == 8);
+    background.set_size_factor(1);
+    CHECK(measure_old_segments(background, old, edges, hint).total() ==
+          Approx(2 * exact).epsilon(8e-4));
+  }
+
   TEST_CASE("a straight chord is measured by the size along it") {
     const BackgroundMesh background = background_of([](Point p) {
       return metric_from_sizes(0.2, 0.5 + 0.1 * p.x, {0, 1});

@@ -207,6 +207,19 @@ TEST_SUITE("unit") {
     CHECK(first_defect(result) == "");
   }
 
+  TEST_CASE("a triangle that would make a nearly flat corner is divided alone") {
+    // The square has 90 degrees at the origin, the triangle the rest.
+    const auto faces = [](Point tip) {
+      const MixedMesh result = divided(
+          mixed_mesh({{0, 0}, {1, 0}, {1, 1}, {0, 1}, tip}, {quad(0, 1, 2, 3), triangle(0, 3, 4)}),
+          true);
+      CHECK(first_defect(result) == "");
+      return result.faces.size();
+    };
+    CHECK(faces({-0.94, 0.34}) == 5);    // 160 degrees
+    CHECK(faces({-0.985, 0.174}) == 7);  // 170 degrees
+  }
+
   TEST_CASE("no pentagon crosses a segment or uses a face twice or has a reflex corner") {
     MixedMesh interface = house();
     interface.segments.push_back({1, 2, 0, 0, 1, 0, 1});

@@ -44,6 +44,15 @@ TEST_SUITE("unit") {
         centre_of_division(std::vector<Point>{{0, 0}, {1, 0}, {0.25, 0.25}, {0, 1}}, midpoints));
   }
 
+  TEST_CASE("a corner that rounding alone keeps from being flat counts as flat") {
+    // As three vertices on a straight side whose points are rounded.
+    const Point corner{0.5, -1e-16};
+    const std::vector<Point> corners{{0, 0}, corner, {1, 0}, {1, 1}, {0, 1}};
+    const std::vector<Point> midpoints{{0.25, 0}, {0.75, 0}, {1, 0.5}, {0.5, 1}, {0, 0.5}};
+    REQUIRE(orientation(midpoints[0], corner, midpoints[1]) > 0);
+    CHECK_FALSE(centre_of_division(corners, midpoints));
+  }
+
   TEST_CASE("where an edge bulges inwards the centre gives way") {
     const std::vector<Point> corners{{0, 0}, {4, 0}, {4, 1}, {0, 1}};
     const std::vector<Point> midpoints{{2, 0.7}, {4, 0.5}, {2, 1}, {0, 0.5}};

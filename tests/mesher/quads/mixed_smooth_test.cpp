@@ -15,9 +15,9 @@ MetricFunction size(double h) {
   return [h](Point) { return metric_from_size(h); };
 }
 
-Shape shape_of(const MixedMesh& mesh) {
+Shape shape_of(const MixedMesh& mesh, FaceQuality quality = shape_quality) {
   Shape shape;
-  for (const MixedFace& f : mesh.faces) shape.add(mesh, f);
+  for (const MixedFace& f : mesh.faces) shape.add(mesh, f, quality);
   return shape;
 }
 
@@ -99,6 +99,7 @@ TEST_SUITE("unit") {
     mesh.required[v] = 1;
     look_up_metrics(*metric, mesh);
     smooth_mixed(*metric, mesh);
+    search_mixed(*metric, mesh);
     CHECK(mesh.vertices[v].p == Point{0.55, 0.45});
     CHECK(distance_from_grid(mesh, 4) > 0.05);
     mesh.required[v] = 0;
@@ -117,6 +118,15 @@ TEST_SUITE("unit") {
     CHECK(first_defect(mesh) == "");
   }
 
+  TEST_CASE("the search brings the common corner of four squares into their middle") {
+    const auto metric = background(size(0.5), {0, 0}, {1, 1});
+    MixedMesh mesh = square_grid(2);
+    mesh.vertices[4].p = {0.62, 0.41};
+    look_up_metrics(*metric, mesh);
+    search_mixed(*metric, mesh, 3);
+    CHECK(norm(mesh.vertices[4].p - Point{0.5, 0.5}) < 0.01);
+  }
+
   TEST_CASE("moved vertices carry the metric of their new place") {
     const auto metric =
         background([](Point p) { return metric_from_size(0.2 + 0.1 * p.x); }, {0, 0}, {1, 1});
@@ -130,6 +140,26 @@ TEST_SUITE("unit") {
 }
 
 TEST_SUITE("property") {
+  TEST_CASE("the search goes on where smoothing has come to an end") {
+    int better = 0;
+    for (int seed = 0; seed < 10; ++seed) {
+      std::mt19937_64 random(seed);
+      const auto metric = background(smooth_random_metric(random, 0.1, 20, 1.5), {0, 0}, {1, 1});
+      MixedMesh mesh = random_grid(random, 8, 0.3, 0.3);
+      look_up_metrics(*metric, mesh);
+      smooth_mixed(*metric, mesh, 20);
+      const Shape before = shape_of(mesh, combined_quality);
+      const double shapes_before = shape_of(mesh).product;
+      search_mixed(*metric, mesh, 2);
+      const Shape after = shape_of(mesh, combined_quality);
+      CHECK(after.broken <= before.broken);
+      if (before.broken == 0) CHECK(after.product > before.product);
+      if (before.broken == 0) CHECK(first_defect(mesh) == "");
+      better += shape_of(mesh).product > shapes_before ? 1 : 0;
+    }
+    CHECK(better >= 8);
+  }
+
   TEST_CASE("smoothing raises the product of the qualities and keeps meshes valid") {
     for (int seed = 0; seed < 20; ++seed) {
       std::mt19937_64 random(seed);

@@ -1,5 +1,7 @@
 #include "mesher/quads/pentagons.hpp"
 
+#include <cmath>
+
 #include <doctest/doctest.h>
 
 #include "tests/support/domains.hpp"
@@ -43,6 +45,24 @@ TEST_SUITE("unit") {
     // (x, y) -> (x - y / 2, y / 10) brings it back: M = T'T.
     CHECK(deviation(points, {1, -0.5, 0.25 + 0.01}) == doctest::Approx(150));
     CHECK(deviation(points) > 160);
+  }
+
+  TEST_CASE("corners at the nodes of the triangle are flat above 165 degrees") {
+    // The corner in question lies at the origin, all others are below 130 degrees.
+    const auto is_flat = [](double degrees, std::size_t corner) {
+      const double phi = degrees * kPi / 180;
+      const std::array<Point, 5> points{
+          Point{0, 0}, {1, 0}, {1, 2}, {-1, 2}, {std::cos(phi), std::sin(phi)}};
+      std::array<WorkVertex, 5> pentagon;
+      for (std::size_t k = 0; k < 5; ++k)
+        pentagon[(k + corner) % 5] = {points[k], factor_of(Metric{}), 0};
+      return has_flat_corner(pentagon);
+    };
+    CHECK(is_flat(166, 0));
+    CHECK_FALSE(is_flat(164, 0));
+    CHECK(is_flat(166, 1));
+    CHECK(is_flat(166, 4));
+    CHECK_FALSE(is_flat(166, 2));
   }
 
   TEST_CASE("triangle and quadrilateral are joined without their common edge") {

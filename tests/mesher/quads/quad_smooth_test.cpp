@@ -54,11 +54,11 @@ TEST_SUITE("unit") {
   TEST_CASE("a perturbed grid of squares returns to squares") {
     const SearchOptions plain{.first_step = 0.2, .last_step = 0.005};
     SearchOptions few = plain;
-    few.diagonals = few.ideal_point = false;
+    few.repeat = few.ideal_point = false;
     for (const SearchOptions& options : {plain, few})
       for (const unsigned seed : {1u, 2u, 3u}) {
         CAPTURE(seed);
-        CAPTURE(options.diagonals);
+        CAPTURE(options.repeat);
         std::mt19937_64 random(seed);
         MixedMesh mesh = plain_grid(6, 6);
         perturb(mesh, random, 0.3);

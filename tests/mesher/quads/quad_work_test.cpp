@@ -53,16 +53,16 @@ TEST_SUITE("unit") {
 
   TEST_CASE("an edge of length sqrt 2 costs the weight of two a quarter each side") {
     const double sqrt2 = std::sqrt(2.);
-    // All four sides between boundary vertices count 0.3: 0.4 / 4 * 0.3 * (2 + 2) for two of them.
-    CHECK(energy_of_one(sqrt2, 1) == doctest::Approx(0.12).epsilon(0.02));
-    CHECK(energy_of_one(1 / sqrt2, 1) == doctest::Approx(0.12).epsilon(0.02));
+    // Sides on the boundary have no other quadrilateral and count twice: 2 * 0.4 / 4 * (2 + 2).
+    CHECK(energy_of_one(sqrt2, 1) == doctest::Approx(0.8).epsilon(0.02));
+    CHECK(energy_of_one(1 / sqrt2, 1) == doctest::Approx(0.8).epsilon(0.02));
     QuadWeights heavy = kWeights;
     heavy.length = 4;
-    CHECK(energy_of_one(sqrt2, 1, heavy) == doctest::Approx(1.2).epsilon(0.02));
+    CHECK(energy_of_one(sqrt2, 1, heavy) == doctest::Approx(8).epsilon(0.02));
     UnitCase unit(enlarged(plain_grid(3, 3), sqrt2), kWeights);
     CHECK(unit.work.energy[4] == doctest::Approx(0.1 * 4 * 2).epsilon(0.02));
-    CHECK(unit.work.energy[0] == doctest::Approx(0.1 * (2 + 2 * 0.3) * 2).epsilon(0.02));
-    CHECK(unit.work.energy[1] == doctest::Approx(0.1 * (3 + 0.3) * 2).epsilon(0.02));
+    CHECK(unit.work.energy[0] == doctest::Approx(0.1 * (2 + 2 * 2) * 2).epsilon(0.02));
+    CHECK(unit.work.energy[1] == doctest::Approx(0.1 * (3 + 2) * 2).epsilon(0.02));
   }
 
   TEST_CASE("only lengths by Simpson's rule see a layer that is crossed mid-edge") {
