@@ -205,7 +205,7 @@ double edge_length_of(const QuadWork& work, Index h) {
 }
 
 bool wants_polish(const QuadWork& work, Index quad) {
-  constexpr double kLeastBeta = 0.4, kShortest = 0.715, kLongest = 1.4;
+  constexpr double kLeastBeta = 0.4, kShortest = 0.7, kLongest = 1.42;
   if (work.beta_of(quad) < kLeastBeta) return true;
   for (Index h = 4 * quad; h < 4 * quad + 4; ++h) {
     if (work.mesh.twin[h] < 0) continue;
@@ -255,7 +255,7 @@ std::vector<Index> grown(const QuadMesh& mesh, const std::vector<Index>& vertice
 CleanStatistics polish(QuadWork& work) {
   constexpr int kRounds = 4;
   constexpr double kThreshold = 0.4;
-  work.weights.length = 0.7;
+  work.weights.length = 0.6;
   work.weights.shape2 = 0.1;
   work.weights.middle_lengths = true;
   work.update_all_energies();

@@ -25,7 +25,7 @@ struct CleanStatistics {
 /// energy has gone down. The number of quadrilaterals that are not convex never grows.
 CleanStatistics clean(QuadWork& work, const CleanOptions& options, const Monitor& monitor = {});
 
-/// A last round only around quadrilaterals with beta~ below 0.4 or an edge outside [0.68, 1.45],
+/// A last round only around quadrilaterals with beta~ below 0.4 or an edge outside [0.7, 1.42],
 /// with lengths by Simpson's rule. The weights of `work` are changed.
 CleanStatistics polish(QuadWork& work);
 

@@ -35,20 +35,23 @@ CleanOptions clean_options(const QuadrangulateInput& input, bool coarse) {
   return {.threshold = coarse ? 0.6 : 0.8, .last_sweeps = 4};
 }
 
-/// Mean energy; a number of quadrilaterals off by more than some percent counts against it.
+/// Mean energy and a share of the worst; a number of quadrilaterals off by more than some percent
+/// counts against it.
 void judge(QuadWork& work, double wanted, LevelMesh& level) {
-  constexpr double kTolerance = 0.03, kPenalty = 5, kMostPenalty = 0.4;
-  work.weights = {};
-  double energy = 0;
+  constexpr double kTolerance = 0.03, kPenalty = 5, kMostPenalty = 0.4, kShareOfWorst = 0.1;
+  work.weights = {.length = 0.6};
+  double energy = 0, worst = 0;
   Index count = 0;
   for (Index q = 0; q < work.mesh.quad_count(); ++q) {
     if (work.mesh.is_dead(q)) continue;
-    energy += work.energy_of(q).value;
+    const double e = work.energy_of(q).value;
+    energy += e;
+    worst = std::max(worst, e);
     ++count;
   }
   level.count_ratio = count / wanted;
   const double off = std::max(0., std::fabs(std::log(level.count_ratio)) - kTolerance);
-  level.score = energy / count + std::min(kPenalty * off, kMostPenalty);
+  level.score = energy / count + kShareOfWorst * worst + std::min(kPenalty * off, kMostPenalty);
 }
 
 void add(QuadStatistics& total, const CleanStatistics& part) {
@@ -94,7 +97,8 @@ Boundary coarse_triangulation(const QuadrangulateInput& input, const Attempt& at
 
 LevelMesh coarse_quads(const QuadrangulateInput& input, const Attempt& attempt,
                        const Monitor& monitor) {
-  constexpr double kCrowded = 3;  // sizes that change too fast make far too many triangles
+  // Sizes that change too fast make far too many triangles; a few do no harm.
+  constexpr double kCrowded = 3, kFew = 200;
   LevelMesh level;
   Boundary boundary = coarse_triangulation(input, attempt, true, level.statistics, monitor);
   Stopwatch watch;
@@ -108,7 +112,7 @@ LevelMesh coarse_quads(const QuadrangulateInput& input, const Attempt& attempt,
   level.pure = merge_leftover_triangles(level.mesh) == 0;
   level.statistics.pairing += watch.lap();
   const double expected = 4 / std::sqrt(3.) * input.background.complexity();
-  if (!level.pure || static_cast<double>(level.statistics.triangles) > kCrowded * expected) {
+  if (!level.pure || static_cast<double>(level.statistics.triangles) > kCrowded * expected + kFew) {
     level.pure = false;
     return level;
   }

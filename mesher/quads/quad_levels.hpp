@@ -20,7 +20,7 @@ struct LevelMesh {
   std::vector<Index> point_vertices;
   QuadStatistics statistics;
   bool pure = true;        ///< no triangle is left
-  double score = 0;        ///< mean energy, with a penalty for a wrong number
+  double score = 0;        ///< least is best: see quad_levels.cpp
   double count_ratio = 1;  ///< number of quadrilaterals against the wanted one
 };
 

@@ -74,28 +74,41 @@ bool is_followed(const LevelMesh& level) {
   return level.count_ratio > kLeast && level.count_ratio * kLeast < 1;
 }
 
+/// How much is tried: what comes out varies by some percent for no reason that could be foreseen,
+/// and on small meshes it costs little to choose.
+struct Comparison {
+  std::vector<double> size_factors;
+  int divided;  ///< coarse meshes that are divided
+};
+Comparison comparison_for(const QuadrangulateInput& input) {
+  constexpr double kTiny = 800, kSmall = 5000;
+  const double wanted = wanted_quads(input.background);
+  if (input.options.effort == QuadEffort::fast || wanted >= kSmall) return {{1}, 1};
+  if (wanted >= kTiny) return {{1}, 4};
+  return {{1, 0.97, 1.03}, 6};
+}
+
 /// The best coarse meshes divided down, and of these the best; should that leave something that is
 /// not convex, the next. Nothing where a coarse mesh cannot follow the sizes.
 std::optional<LevelMesh> divided_quads(const QuadrangulateInput& input, int levels,
                                        const std::vector<QuadStart>& starts,
                                        const Monitor& monitor) {
-  constexpr double kSmall = 2500;  // up to here three are compared
   constexpr double kGoodScore = 0.7;
-  const bool compare =
-      input.options.effort == QuadEffort::best && input.background.complexity() < kSmall;
+  const Comparison comparison = comparison_for(input);
   std::vector<LevelMesh> made;
   for (const QuadStart start : starts) {
-    try_start(input, {levels, 1, start}, monitor, made);
+    for (const double factor : comparison.size_factors)
+      try_start(input, {levels, factor, start}, monitor, made);
     if (made.empty()) continue;
     if (levels > 0 && !is_followed(made.back())) return std::nullopt;
-    if (!compare && made.back().score < kGoodScore) break;
+    if (comparison.divided == 1 && made.back().score < kGoodScore) break;
   }
   std::stable_sort(made.begin(), made.end(),
                    [](const LevelMesh& x, const LevelMesh& y) { return x.score < y.score; });
   std::optional<LevelMesh> best;
   int divided = 0;
   for (LevelMesh& level : made) {
-    if (best && ++divided >= (compare ? 3 : 1)) break;
+    if (best && ++divided >= comparison.divided) break;
     refine_levels(input, levels, level, monitor);
     if (first_not_convex(level.mesh)) continue;
     if (!best || level.score < best->score) best = std::move(level);
