@@ -93,7 +93,7 @@ Comparison comparison_for(const QuadrangulateInput& input) {
 std::optional<LevelMesh> divided_quads(const QuadrangulateInput& input, int levels,
                                        const std::vector<QuadStart>& starts,
                                        const Monitor& monitor) {
-  constexpr double kGoodScore = 0.7;
+  constexpr double kGoodScore = 1;
   const Comparison comparison = comparison_for(input);
   std::vector<LevelMesh> made;
   for (const QuadStart start : starts) {
