@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "mesher/geometry/convex_polygon.hpp"
 #include "mesher/geometry/predicates.hpp"
 #include "mesher/quads/convexity.hpp"
 
@@ -34,18 +35,6 @@ bool corners_are_convex(Points corners, Points midpoints) {
 bool is_centre(Points corners, Points midpoints, Point centre) {
   return all_lines(corners, midpoints,
                    [&](Point p, Point q) { return orientation(p, q, centre) > 0; });
-}
-
-/// The part of a convex polygon left of the line pq.
-std::vector<Point> clip(const std::vector<Point>& polygon, Point p, Point q) {
-  std::vector<Point> kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point a = polygon[i], b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
-    const double at_a = twice_area(p, q, a), at_b = twice_area(p, q, b);
-    if (at_a >= 0) kept.push_back(a);
-    if ((at_a < 0) != (at_b < 0)) kept.push_back(lerp(a, b, at_a / (at_a - at_b)));
-  }
-  return kept;
 }
 
 std::vector<Point> box_around(Points corners, Points midpoints) {
@@ -85,7 +74,7 @@ std::optional<Point> centre_of_division(Points corners, Points midpoints) {
   if (is_centre(corners, midpoints, mean)) return mean;
   std::vector<Point> possible = box_around(corners, midpoints);
   all_lines(corners, midpoints, [&](Point p, Point q) {
-    possible = clip(possible, p, q);
+    possible = left_part(possible, p, q);
     return !possible.empty();
   });
   if (possible.empty()) return {};

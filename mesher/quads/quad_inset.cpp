@@ -4,22 +4,11 @@
 #include <optional>
 #include <vector>
 
+#include "mesher/geometry/convex_polygon.hpp"
 #include "mesher/quads/quad_operations.hpp"
 
 namespace anisofront {
 namespace {
-
-/// The part of a convex polygon left of the line pq.
-std::vector<Point> left_part(const std::vector<Point>& polygon, Point p, Point q) {
-  std::vector<Point> kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point a = polygon[i], b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
-    const double at_a = twice_area(p, q, a), at_b = twice_area(p, q, b);
-    if (at_a >= 0) kept.push_back(a);
-    if ((at_a < 0) != (at_b < 0)) kept.push_back(lerp(a, b, at_a / (at_a - at_b)));
-  }
-  return kept;
-}
 
 /// A point from which all of the quadrilateral is seen: the mean of the corners of its kernel,
 /// which is empty unless the quadrilateral is simple.
