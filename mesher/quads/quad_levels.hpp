@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "mesher/quads/quad_clean.hpp"
-#include "mesher/quads/quadrangulate.hpp"
+#include "mesher/quads/quad_options.hpp"
 
 namespace anisofront {
 
