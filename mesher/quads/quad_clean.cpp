@@ -5,7 +5,6 @@
 #include <numeric>
 #include <vector>
 
-#include "mesher/quads/convexity.hpp"
 #include "mesher/quads/quad_operations.hpp"
 #include "mesher/quads/quad_smooth.hpp"
 
@@ -278,18 +277,6 @@ CleanStatistics polish(QuadWork& work) {
     if (kept == 0 && round > 0) break;
   }
   return cleaner.statistics;
-}
-
-Index count_not_convex(const QuadMesh& mesh) {
-  Index count = 0;
-  for (Index q = 0; q < mesh.quad_count(); ++q) {
-    if (mesh.is_dead(q)) continue;
-    const Index h = 4 * q;
-    const bool convex = is_convex_quad({mesh.vertex_at(h).p, mesh.vertex_at(h + 1).p,
-                                        mesh.vertex_at(h + 2).p, mesh.vertex_at(h + 3).p});
-    count += !convex;
-  }
-  return count;
 }
 
 }  // namespace anisofront

@@ -29,7 +29,4 @@ CleanStatistics clean(QuadWork& work, const CleanOptions& options, const Monitor
 /// with lengths by Simpson's rule. The weights of `work` are changed.
 CleanStatistics polish(QuadWork& work);
 
-/// Number of quadrilaterals that are not strictly convex (exact predicate).
-Index count_not_convex(const QuadMesh& mesh);
-
 }  // namespace anisofront

@@ -26,12 +26,11 @@ Pairing pairing_of(QuadStart start) {
 
 /// Small meshes get more time per quadrilateral; coarse ones in any case cost little.
 CleanOptions clean_options(const QuadrangulateInput& input, bool coarse) {
-  constexpr double kSmall = 5000;
   if (input.options.effort == QuadEffort::fast)
     return coarse ? CleanOptions{.threshold = 0.8, .most_passes = 6, .last_sweeps = 2}
                   : CleanOptions{
                         .threshold = 1, .most_passes = 2, .first_sweeps = 2, .last_sweeps = 2};
-  if (wanted_quads(input.background) < kSmall) return {.threshold = 0.3};
+  if (is_small(input.background)) return {.threshold = 0.3};
   return {.threshold = coarse ? 0.6 : 0.8, .last_sweeps = 4};
 }
 

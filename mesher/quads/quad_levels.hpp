@@ -27,6 +27,9 @@ struct LevelMesh {
 /// Number of quadrilaterals that the metric asks for, whatever the present size factor.
 double wanted_quads(const BackgroundMesh& background);
 
+/// Whether so few are wanted that time per quadrilateral matters little: more is tried then.
+inline bool is_small(const BackgroundMesh& background) { return wanted_quads(background) < 5000; }
+
 /// The coarse triangulation of an attempt: boundary, front, for equilateral starts enhancement,
 /// required points.
 Boundary coarse_triangulation(const QuadrangulateInput& input, const Attempt& attempt, bool even,

@@ -162,10 +162,6 @@ void activate_around(const QuadMesh& mesh, Index v, std::vector<char>& active) {
   });
 }
 
-}  // namespace
-
-namespace {
-
 /// Moves v to a better place, if there is one; how far, in squared metric length.
 double relocate(QuadWork& work, QuadSmoother& smoother, Index v, const SearchOptions& options) {
   WorkVertex better;

@@ -39,11 +39,11 @@ int levels_for(double wanted) {
 }
 
 /// None of the starts is always the best one; more of them are tried where that costs little.
-std::vector<QuadStart> starts_for(const QuadOptions& options, double wanted) {
-  constexpr double kSmall = 5000;
+std::vector<QuadStart> starts_for(const QuadrangulateInput& input) {
+  const QuadOptions& options = input.options;
   if (options.start != QuadStart::automatic) return {options.start};
   if (options.effort == QuadEffort::fast) return {QuadStart::right_angle};
-  if (wanted >= kSmall) return {QuadStart::right_angle, QuadStart::equilateral};
+  if (!is_small(input.background)) return {QuadStart::right_angle, QuadStart::equilateral};
   return {QuadStart::right_angle, QuadStart::equilateral, QuadStart::greedy, QuadStart::systematic};
 }
 
@@ -52,9 +52,8 @@ std::vector<QuadStart> starts_for(const QuadOptions& options, double wanted) {
 /// too fast to be followed, and correcting them would not help.
 void try_start(const QuadrangulateInput& input, Attempt attempt, const Monitor& monitor,
                std::vector<LevelMesh>& made) {
-  constexpr double kSmall = 5000;
-  const int corrections = wanted_quads(input.background) < kSmall ? 2 : 1;
   constexpr double kFollowed = 0.8;
+  const int corrections = is_small(input.background) ? 2 : 1;
   const bool fast = input.options.effort == QuadEffort::fast;
   const double fewest = fast ? 0.95 : 0.97, most = fast ? 1.05 : 1.035;
   for (int round = 0; round <= corrections; ++round) {
@@ -74,6 +73,8 @@ bool is_followed(const LevelMesh& level) {
   return level.count_ratio > kLeast && level.count_ratio * kLeast < 1;
 }
 
+bool is_tiny(const BackgroundMesh& background) { return wanted_quads(background) < 800; }
+
 /// How much is tried: what comes out varies by some percent for no reason that could be foreseen,
 /// and on small meshes it costs little to choose.
 struct Comparison {
@@ -81,10 +82,8 @@ struct Comparison {
   int divided;  ///< coarse meshes that are divided
 };
 Comparison comparison_for(const QuadrangulateInput& input) {
-  constexpr double kTiny = 800, kSmall = 5000;
-  const double wanted = wanted_quads(input.background);
-  if (input.options.effort == QuadEffort::fast || wanted >= kSmall) return {{1}, 1};
-  if (wanted >= kTiny) return {{1}, 4};
+  if (input.options.effort == QuadEffort::fast || !is_small(input.background)) return {{1}, 1};
+  if (!is_tiny(input.background)) return {{1}, 4};
   return {{1, 0.97, 1.03}, 6};
 }
 
@@ -160,23 +159,21 @@ Quadrangulation finished(const QuadrangulateInput& input, LevelMesh level) {
   return {std::move(level.mesh), std::move(level.point_vertices), level.statistics};
 }
 
-/// The usual number of divisions; fewer where the coarse mesh cannot follow the sizes. Small meshes
+/// The usual number of divisions; fewer where the coarse mesh cannot follow the sizes. Tiny meshes
 /// are also tried without any: a structured one may be better than a divided one.
 Quadrangulation best_quads(const QuadrangulateInput& input, const Monitor& monitor) {
-  constexpr double kSmall = 800;
-  const double wanted = input.background.complexity();
-  const std::vector<QuadStart> starts = starts_for(input.options, wanted);
-  const bool small = wanted < kSmall && input.options.effort == QuadEffort::best;
+  const std::vector<QuadStart> starts = starts_for(input);
   std::optional<LevelMesh> best;
   const auto keep_better = [&](std::optional<LevelMesh> made) {
     if (made && (!best || made->score < best->score)) best = std::move(made);
     input.background.set_size_factor(1);
   };
-  int levels = levels_for(wanted);
+  int levels = levels_for(wanted_quads(input.background));
   keep_better(divided_quads(input, levels, starts, monitor));
   while (levels > 0 && (!best || !is_followed(*best)))
     keep_better(divided_quads(input, --levels, starts, monitor));
-  if (levels > 0 && small) keep_better(divided_quads(input, 0, {starts.front()}, monitor));
+  const bool tiny = is_tiny(input.background) && input.options.effort == QuadEffort::best;
+  if (levels > 0 && tiny) keep_better(divided_quads(input, 0, {starts.front()}, monitor));
   if (!best)
     keep_better(divided_quads(input, 0, {QuadStart::equilateral, QuadStart::systematic}, monitor));
   return finished(input, best ? std::move(*best) : safe_quads(input, monitor));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mesher/mesh/topology.hpp"
+#include "mesher/quads/convexity.hpp"
 #include "mesher/quads/quad_operations.hpp"
 #include "tests/support/meshes.hpp"
 
@@ -162,6 +163,19 @@ inline Index live_quads(const QuadMesh& mesh) {
 inline Index live_vertices(const QuadMesh& mesh) {
   return static_cast<Index>(std::count_if(mesh.leaving.begin(), mesh.leaving.end(),
                                           [](Index h) { return h != kNoIndex; }));
+}
+
+/// Number of quadrilaterals that are not strictly convex (exact predicate, no flat corners).
+inline Index count_not_convex(const QuadMesh& mesh) {
+  Index count = 0;
+  for (Index q = 0; q < mesh.quad_count(); ++q) {
+    if (mesh.is_dead(q)) continue;
+    const Index h = 4 * q;
+    const bool convex = is_convex_quad({mesh.vertex_at(h).p, mesh.vertex_at(h + 1).p,
+                                        mesh.vertex_at(h + 2).p, mesh.vertex_at(h + 3).p});
+    count += !convex;
+  }
+  return count;
 }
 
 /// Of the mesh as it is cut open.
