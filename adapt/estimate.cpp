@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "solver/p1_element.hpp"
+#include "solver/space/p1_element.hpp"
+#include "solver/space/quadrature.hpp"
 
 namespace anisofront {
 namespace {
@@ -23,8 +24,14 @@ EnergyEstimate estimate_energy_error(const Mesh& mesh, const ScalarProblem& prob
                                      std::span<const double> values,
                                      std::span<const LocalQuadratic> quadratics) {
   EnergyEstimate squares;
-  for (const Triangle& t : mesh.triangles) {
-    const P1Element element(corners_of(mesh, t));
+  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+    const Triangle& t = mesh.triangles[k];
+    const auto corners = corners_of(mesh, t);
+    const P1Element element(corners);
+    const Point centroid = point_at(corners, {1. / 3, 1. / 3, 1. / 3});
+    const Index region = k < mesh.triangle_regions.size() ? mesh.triangle_regions[k] : 0;
+    const double a = problem.diffusion.in(region)(centroid);
+    const double c = problem.reaction.in(region)(centroid);
     const auto u = values_at(values, t);
     const Vector constant = element.gradient(u);
     std::array<Vector, 3> recovered{}, difference{};
@@ -32,9 +39,8 @@ EnergyEstimate estimate_energy_error(const Mesh& mesh, const ScalarProblem& prob
       recovered[i] = quadratics[t[i]].gradient;
       difference[i] = recovered[i] - constant;
     }
-    squares.error += element.area * problem.diffusion * mean_square(difference);
-    squares.energy += element.area * (problem.diffusion * mean_square(recovered) +
-                                      problem.reaction * mean_square(u));
+    squares.error += element.area * a * mean_square(difference);
+    squares.energy += element.area * (a * mean_square(recovered) + c * mean_square(u));
   }
   return {std::sqrt(squares.error), std::sqrt(squares.energy)};
 }

@@ -4,7 +4,7 @@
 
 #include "adapt/hessian.hpp"
 #include "mesher/mesh/mesh.hpp"
-#include "solver/scalar_problem.hpp"
+#include "solver/scalar/scalar_problem.hpp"
 
 namespace anisofront {
 
@@ -18,7 +18,7 @@ struct EnergyEstimate {
 /// O. C. Zienkiewicz, J. Z. Zhu, A simple error estimator and adaptive procedure, Int. J. Numer.
 /// Meth. Engng 24 (1987) 337-357, doi:10.1002/nme.1620240206, with the gradients of the quadratic
 /// fits. The reaction term of the error is of higher order and left out. Zero for quadratics that
-/// are linear. `values`, `quadratics`: one per vertex.
+/// are linear. Coefficients are taken at the centroids. `values`, `quadratics`: one per vertex.
 EnergyEstimate estimate_energy_error(const Mesh& mesh, const ScalarProblem& problem,
                                      std::span<const double> values,
                                      std::span<const LocalQuadratic> quadratics);

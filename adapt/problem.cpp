@@ -8,8 +8,8 @@
 #include "mesher/geometry/error.hpp"
 #include "mesher/geometry/stopwatch.hpp"
 #include "mesher/metric/gradation.hpp"
-#include "solver/norms.hpp"
-#include "solver/solve_scalar.hpp"
+#include "solver/scalar/norms.hpp"
+#include "solver/scalar/solve_scalar.hpp"
 
 namespace anisofront {
 namespace {
@@ -33,10 +33,16 @@ void require_one_target(const AdaptSettings& settings) {
                      ", expected a positive number");
 }
 
-CycleError errors_of(const Mesh& mesh, const ScalarProblem& problem,
-                     const std::optional<ExactSolution>& exact, const std::vector<double>& u,
+void require_triangles(const Mesh& mesh) {
+  if (!mesh.quads.empty())
+    throw InputError("the adaptive loop solves on triangles: found " +
+                     std::to_string(mesh.quads.size()) + " quadrilaterals in the mesh");
+}
+
+CycleError errors_of(const FeMesh& mesh, const ScalarProblem& problem,
+                     const std::optional<ExactSolution>& exact, const ScalarField& u,
                      std::span<const LocalQuadratic> quadratics) {
-  const EnergyEstimate estimate = estimate_energy_error(mesh, problem, u, quadratics);
+  const EnergyEstimate estimate = estimate_energy_error(mesh.mesh, problem, u.values, quadratics);
   CycleError error;
   error.estimate = estimate.relative();
   if (!exact) return error;
@@ -95,11 +101,14 @@ Analysis analyse(const Mesh& mesh, const ScalarProblem& problem,
                  int cycle) {
   Analysis analysis;
   Stopwatch watch;
-  const std::vector<double> u = solve_scalar(mesh, problem);
+  require_triangles(mesh);
+  const FeMesh fe = straight_fe_mesh(mesh);
+  const ScalarField field = solve_scalar(fe, problem).field;
+  const std::vector<double>& u = field.values;
   analysis.solve_seconds = watch.lap();
   const auto quadratics = fit_quadratics(mesh, u);
   analysis.metric_seconds = watch.lap();
-  analysis.error = errors_of(mesh, problem, exact, u, quadratics);
+  analysis.error = errors_of(fe, problem, exact, field, quadratics);
   analysis.estimate_seconds = watch.lap();
   analysis.dofs = static_cast<Index>(u.size());
   const Steering steering = steering_of(analysis.error, cycle);

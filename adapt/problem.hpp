@@ -4,8 +4,8 @@
 
 #include "adapt/error_metric.hpp"
 #include "adapt/loop.hpp"
-#include "solver/exact_solutions.hpp"
-#include "solver/scalar_problem.hpp"
+#include "solver/scalar/exact_solutions.hpp"
+#include "solver/scalar/scalar_problem.hpp"
 
 namespace anisofront {
 

@@ -17,6 +17,14 @@ void add_verbosity(CLI::App& command, Console& console) {
   quiet->excludes(verbose);
 }
 
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
+  // One value per --set, so that the study file may follow it.
+  command.add_option("--set", overrides, "key=value in place of what the study says")
+      ->take_all()
+      ->expected(1)
+      ->type_name("KEY=VALUE");
+}
+
 void add_output_format(CLI::App& command, OutputFormat& format) {
   command.add_option("--format", format.version, "Version of .msh files: 4.1 or 2.2")
       ->check(CLI::IsMember({"4.1", "2.2"}))

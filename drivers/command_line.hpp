@@ -14,6 +14,9 @@ namespace anisofront {
 /// Adds -q and -v.
 void add_verbosity(CLI::App& command, Console& console);
 
+/// Adds --set key=value, any number of times.
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides);
+
 /// Options of mesh files to be written.
 struct OutputFormat {
   std::string version = "4.1";

@@ -7,6 +7,7 @@
 #include <muParser.h>
 #include <spdlog/fmt/fmt.h>
 
+#include "drivers/shared_program.hpp"
 #include "drivers/text.hpp"
 #include "mesher/geometry/error.hpp"
 
@@ -20,7 +21,8 @@ struct ExpressionProgram::Compiled {
   std::vector<NamedExpression> expressions;
   std::vector<double> inputs;
   std::vector<double> results;
-  std::vector<Step> steps;  ///< in an order in which every name is known when it is used
+  std::vector<Step> steps;   ///< in an order in which every name is known when it is used
+  std::vector<bool> varies;  ///< per expression: depends on an input
 };
 
 namespace {
@@ -102,6 +104,8 @@ Parsed parse_all(const Names& inputs, const Constants& constants,
   Names known = inputs;
   for (const NamedExpression& e : expressions)
     if (!e.name.empty()) known.push_back(e.name);
+  Names proposed = known;
+  for (const auto& [name, value] : constants) proposed.push_back(name);
   Parsed parsed{std::vector<mu::Parser>(expressions.size()),
                 std::vector<Names>(expressions.size())};
   for (std::size_t i = 0; i < expressions.size(); ++i) {
@@ -112,7 +116,7 @@ Parsed parse_all(const Names& inputs, const Constants& constants,
     for (const std::string& name : parsed.needs[i])
       if (!contains(known, name))
         fail(at, fmt::format("unknown name \"{}\" (column {}){}{}", name, column_of(name, at.text),
-                             name_proposal(name, known), hint));
+                             name_proposal(name, proposed), hint));
   }
   return parsed;
 }
@@ -141,6 +145,17 @@ std::vector<std::size_t> evaluation_order(const Names& inputs,
   return order;
 }
 
+/// Whether one of the names is an input or an expression known to vary.
+bool any_varies(const Names& needs, const Names& inputs,
+                const std::vector<NamedExpression>& expressions, const std::vector<bool>& varies) {
+  for (const std::string& name : needs) {
+    if (contains(inputs, name)) return true;
+    for (std::size_t k = 0; k < expressions.size(); ++k)
+      if (varies[k] && expressions[k].name == name) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 ExpressionProgram::ExpressionProgram(std::vector<std::string> inputs, const Constants& constants,
@@ -151,6 +166,7 @@ ExpressionProgram::ExpressionProgram(std::vector<std::string> inputs, const Cons
   Compiled& c = *compiled_;
   c.inputs.resize(inputs.size());
   c.results.resize(expressions.size());
+  c.varies.resize(expressions.size());
   c.expressions = std::move(expressions);
   Parsed parsed = parse_all(inputs, constants, c.expressions, hint);
   for (const std::size_t i : evaluation_order(inputs, c.expressions, parsed.needs)) {
@@ -162,6 +178,7 @@ ExpressionProgram::ExpressionProgram(std::vector<std::string> inputs, const Cons
       parser.Eval();
     });
     c.steps.push_back({parser, i});
+    c.varies[i] = any_varies(parsed.needs[i], inputs, c.expressions, c.varies);
   }
 }
 
@@ -179,18 +196,43 @@ const NamedExpression& ExpressionProgram::expression(std::size_t i) const {
   return compiled_->expressions[i];
 }
 
+bool ExpressionProgram::depends_on_inputs(std::size_t i) const { return compiled_->varies[i]; }
+
 std::string coordinates(Point p) { return fmt::format("(x, y) = ({:.9g}, {:.9g})", p.x, p.y); }
 
-ScalarFunction scalar_function(const ExpressionText& text, const Constants& constants) {
-  const auto program = std::make_shared<ExpressionProgram>(
-      std::vector<std::string>{"x", "y"}, constants, std::vector<NamedExpression>{{{}, text}});
-  return [program](Point p) {
-    const double value = program->evaluate({p.x, p.y}).front();
-    if (std::isfinite(value)) return value;
-    const ExpressionText& at = program->expression(0).expression;
-    throw InputError(fmt::format("{} = \"{}\" is {} at {}; it must be finite everywhere", at.place,
-                                 at.text, value, coordinates(p)));
+namespace {
+
+ExpressionProgram program_of(const ExpressionText& text, const ExpressionNames& names) {
+  std::vector<NamedExpression> all{{{}, text}};
+  all.insert(all.end(), names.where.begin(), names.where.end());
+  return ExpressionProgram({"x", "y"}, names.constants, std::move(all));
+}
+
+double finite(double value, const ExpressionText& at, const std::string& where) {
+  if (std::isfinite(value)) return value;
+  throw InputError(fmt::format("{} = \"{}\" is {}{}; it must be finite everywhere", at.place,
+                               at.text, value, where));
+}
+
+}  // namespace
+
+ScalarFunction scalar_function(const ExpressionText& text, const ExpressionNames& names) {
+  const auto programs = std::make_shared<SharedProgram>([=] { return program_of(text, names); });
+  return [programs, text](Point p) {
+    const double value = programs->evaluate(p);
+    return std::isfinite(value) ? value : finite(value, text, " at " + coordinates(p));
   };
+}
+
+std::optional<double> constant_value(const ExpressionText& text, const ExpressionNames& names) {
+  ExpressionProgram program = program_of(text, names);
+  if (program.depends_on_inputs(0)) return {};
+  return finite(program.evaluate({0, 0}).front(), text, "");
+}
+
+Coefficient coefficient(const ExpressionText& text, const ExpressionNames& names) {
+  if (const auto value = constant_value(text, names)) return *value;
+  return scalar_function(text, names);
 }
 
 }  // namespace anisofront

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "mesher/geometry/point.hpp"
-#include "solver/scalar_problem.hpp"
+#include "solver/space/coefficient.hpp"
 
 namespace anisofront {
 
@@ -44,13 +45,30 @@ class ExpressionProgram {
   /// The i-th expression as given to the constructor.
   const NamedExpression& expression(std::size_t i) const;
 
+  /// Whether the value of the i-th expression depends on an input, directly or through others.
+  bool depends_on_inputs(std::size_t i) const;
+
  private:
   struct Compiled;
   std::unique_ptr<Compiled> compiled_;
 };
 
-/// A function of x and y. It throws InputError with the coordinates where it is not finite.
-ScalarFunction scalar_function(const ExpressionText& text, const Constants& constants = {});
+/// What the expressions of one table of a study may use beside x and y.
+struct ExpressionNames {
+  Constants constants;
+  std::vector<NamedExpression> where;
+};
+
+/// A function of x and y that several threads may call at once. It throws InputError with the
+/// coordinates where it is not finite.
+ScalarFunction scalar_function(const ExpressionText& text, const ExpressionNames& names = {});
+
+/// The same; a number when neither x nor y is in it. Throws InputError when that is not finite.
+Coefficient coefficient(const ExpressionText& text, const ExpressionNames& names = {});
+
+/// The value of an expression that uses neither x nor y; empty when it does. Throws as
+/// coefficient() does.
+std::optional<double> constant_value(const ExpressionText& text, const ExpressionNames& names = {});
 
 /// "(x, y) = (1, 2)", for messages.
 std::string coordinates(Point p);

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 
-#include <spdlog/fmt/fmt.h>
-
 #include "drivers/prescribed_metric.hpp"
-#include "drivers/text.hpp"
+#include "drivers/scalar_setup.hpp"
 #include "mesher/io/mesh_io.hpp"
 #include "mesher/mesh/check.hpp"
 
@@ -31,34 +29,6 @@ Mesh box_around(const Domain& domain) {
   return box;
 }
 
-/// Tags of the curves of this name; several chains of a mesh boundary share one.
-Index boundary_tag(const Domain& domain, const BoundaryValue& value) {
-  std::vector<std::string> known;
-  for (const DomainCurve& curve : domain.curves) {
-    if (curve.name == value.curve) return curve.tag;
-    known.push_back(curve.name);
-  }
-  throw UsageError(fmt::format("{}: no curve is called \"{}\"{}", value.place, value.curve,
-                               name_proposal(value.curve, known)));
-}
-
-std::optional<ExactSolution> known_solution(const ScalarProblemText& text) {
-  if (text.exact.empty()) return {};
-  return exact_solution(text.exact, text.diffusion, text.reaction);
-}
-
-ScalarProblem scalar_problem(const ScalarProblemText& text, const Domain& domain,
-                             const std::optional<ExactSolution>& exact) {
-  ScalarProblem problem;
-  problem.diffusion = text.diffusion;
-  problem.reaction = text.reaction;
-  if (exact) problem.source = exact->source;
-  if (text.source) problem.source = scalar_function(*text.source);
-  for (const BoundaryValue& value : text.boundary)
-    problem.dirichlet.push_back({boundary_tag(domain, value), scalar_function(value.value)});
-  return problem;
-}
-
 AdaptSettings adapt_settings(const Study& study) {
   AdaptSettings settings;
   settings.mode = study.mode;
@@ -67,6 +37,22 @@ AdaptSettings adapt_settings(const Study& study) {
   settings.limits = study.limits;
   settings.limits.gradation = study_options(study).gradation;
   return settings;
+}
+
+/// What cycles cannot adapt yet, one solve can.
+void require_adaptable(const Study& study) {
+  const auto refuse = [&](const std::string& place, const std::string& what) {
+    throw UsageError(place + ": " + what + ": anisofront solve " + study.file.string());
+  };
+  if (study.plate) refuse(study.plate->place, "plates are solved on one mesh so far");
+  if (!study.problem) return;
+  const std::string& place = study.problem->place;
+  if (study.problem->order != 1)
+    refuse(place + ".order", "cycles are run with order 1 so far; for one mesh");
+  if (study.elements != Elements::triangle)
+    refuse(place, "cycles of a [problem] are run on triangles so far; for one mesh of others");
+  if (!study.target.nodes && !study.target.error)
+    refuse(place, "cycles need adapt.target = { nodes = 1000 } or { error = 0.01 }; for one mesh");
 }
 
 void set_purpose(const Study& study, LoopInput& input) {
@@ -101,6 +87,9 @@ Mesh uniform_mesh(const Domain& domain, double size, const GenerateOptions& opti
   const MetricField field(box.points.size(), metric_from_size(size));
   GenerateOptions uniform = generate_options(Preset::best);
   uniform.max_elements = options.max_elements;
+  uniform.elements = options.elements;
+  uniform.quads = options.quads;
+  uniform.boundary.chord_height = options.boundary.chord_height;
   return generate(domain, box, field, uniform, monitor).mesh;
 }
 
@@ -110,14 +99,16 @@ Mesh usable_mesh(const std::filesystem::path& file, const Monitor& monitor) {
   return mesh;
 }
 
-Start study_start(const Study& study, const Monitor& monitor) {
+Start study_start(const Study& study, InitialElements elements, const Monitor& monitor) {
   Start start{study.domain, {}};
   if (!study.domain_mesh.empty()) {
     start.mesh = usable_mesh(study.domain_mesh, monitor);
     start.domain = domain_from_mesh(start.mesh, study.domain_options);
   }
   if (study.initial.file.empty()) {
-    start.mesh = uniform_mesh(start.domain, study.initial.size, study_options(study), monitor);
+    GenerateOptions options = study_options(study);
+    if (elements == InitialElements::triangles) options.elements = Elements::triangle;
+    start.mesh = uniform_mesh(start.domain, study.initial.size, options, monitor);
   } else if (study.initial.file != study.domain_mesh) {
     start.mesh = usable_mesh(study.initial.file, monitor);
     attach_to_domain(start.mesh, start.domain);
@@ -126,7 +117,8 @@ Start study_start(const Study& study, const Monitor& monitor) {
 }
 
 LoopInput loop_input(const Study& study, const Monitor& monitor) {
-  Start start = study_start(study, monitor);
+  require_adaptable(study);
+  Start start = study_start(study, InitialElements::triangles, monitor);
   LoopInput input;
   input.domain = std::move(start.domain);
   input.initial = std::move(start.mesh);

@@ -66,7 +66,8 @@ MetricField metric_on(const Mesh& mesh, const MeshArguments& arguments, Console&
 MetricField study_metric(const Study& study, const Start& start) {
   if (!study.metric)
     throw UsageError(study.file.string() +
-                     ": has no [metric]; give --metric or --size, or solve it with `run`");
+                     ": has no [metric]; give --metric or --size, or solve it with `run` or "
+                     "`solve`");
   const MetricFunction metric = prescribed_metric(*study.metric, start.domain, study.limits);
   MetricField field;
   for (const Point p : start.mesh.points) field.push_back(metric(p));
@@ -86,7 +87,7 @@ Source source_from_study(const MeshArguments& arguments, Console& console) {
   if (file.variants.size() > 1)
     console.say("the study has several variants; this is " + variant.name);
   const Study& study = variant.study;
-  Start start = study_start(study, console.monitor("initial mesh"));
+  Start start = study_start(study, InitialElements::triangles, console.monitor("initial mesh"));
   const bool own_metric = arguments.metric.empty() && arguments.size == 0;
   MetricField field =
       own_metric ? study_metric(study, start) : metric_on(start.mesh, arguments, console);

@@ -60,6 +60,7 @@ int run_program(int argc, char** argv, std::ostream& out, std::ostream& err) {
   app.set_version_flag("--version", "anisofront " ANISOFRONT_VERSION);
   app.require_subcommand(1);
   add_run_command(app, console, exit_code);
+  add_solve_command(app, console);
   add_mesh_command(app, console);
   add_check_command(app, console, exit_code);
   add_convert_command(app, console);

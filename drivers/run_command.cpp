@@ -15,9 +15,7 @@ struct RunArguments {
 };
 
 int run(const RunArguments& arguments, Console& console) {
-  std::vector<Override> overrides;
-  for (const std::string& text : arguments.overrides) overrides.push_back(parse_override(text));
-  const StudyFile study = read_study_file(arguments.study, overrides);
+  const StudyFile study = read_study_file(arguments.study, parse_overrides(arguments.overrides));
   RunOptions options;
   options.threads = arguments.threads;
   options.directory =
@@ -33,11 +31,7 @@ void add_run_command(CLI::App& app, Console& console, int& exit_code) {
   command->add_option("STUDY", arguments->study, "Study file (.toml)")->required();
   command->add_option("-o,--output", arguments->directory,
                       "Folder for the results (default: name of the study + \"-results\")");
-  // One value per --set, so that the study file may follow it.
-  command->add_option("--set", arguments->overrides, "key=value in place of what the study says")
-      ->take_all()
-      ->expected(1)
-      ->type_name("KEY=VALUE");
+  add_overrides(*command, arguments->overrides);
   command->add_option("-j,--jobs", arguments->threads, "Variants computed side by side")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();

@@ -72,8 +72,8 @@ class VariantRun {
       if (std::find(kept.warnings.begin(), kept.warnings.end(), warning) == kept.warnings.end())
         kept.warnings.push_back(warning);
     warnings_.clear();
-    write_cycle(options_.directory / variant_.name, variant_.study.formats, record.cycle, mesh,
-                analysis);
+    write_cycle(options_.directory / variant_.name, variant_.study.output.formats, record.cycle,
+                mesh, analysis);
     outcome_.history.cycles.push_back(std::move(kept));
     ++progress_.finished;
     console_.detail(fmt::format("{}: cycle {}: {} vertices, {} elements", variant_.name,

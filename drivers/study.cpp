@@ -1,7 +1,5 @@
 #include "drivers/study.hpp"
 
-#include <algorithm>
-
 #include <spdlog/fmt/fmt.h>
 
 #include "drivers/element_names.hpp"
@@ -121,45 +119,24 @@ void read_adapt(TomlTable& root, Study& study) {
   table->finish();
 }
 
-std::vector<BoundaryValue> read_boundary(TomlTable& problem) {
-  std::vector<BoundaryValue> values;
-  auto table = problem.table("boundary");
-  if (!table) return values;
-  for (const std::string& curve : table->keys()) {
-    TomlTable entry = table->required(table->table(curve), curve);
-    values.push_back({curve, entry.required(entry.expression("value"), "value"), entry.place()});
-    entry.finish();
-  }
-  return values;
-}
-
 void read_problem(TomlTable& root, Study& study) {
   auto table = root.table("problem");
   if (!table) return;
   if (table->choice("kind", {"poisson", "mindlin"}, "poisson") == "mindlin")
-    table->fail("kind", "plates arrive in a later version; this one solves \"poisson\"");
-  ScalarProblemText problem;
-  problem.diffusion = table->positive("diffusion").value_or(1);
-  problem.reaction = table->number("reaction").value_or(0);
-  if (problem.reaction < 0) table->fail("reaction", "must not be negative");
-  problem.source = table->expression("source");
-  problem.exact = table->text("exact").value_or("");
-  problem.boundary = read_boundary(*table);
-  table->finish();
-  study.problem = problem;
+    study.plate = parse_plate_problem(*table);
+  else
+    study.problem = parse_scalar_problem(*table);
 }
 
-void read_output(TomlTable& root, Study& study) {
-  study.formats = {"msh"};
-  auto table = root.table("output");
-  if (!table) return;
-  if (table->has("formats")) study.formats = table->texts("formats");
-  const std::vector<std::string> known{"msh", "vtu", "svg", "mesh"};
-  for (const std::string& format : study.formats)
-    if (std::find(known.begin(), known.end(), format) == known.end())
-      table->fail("formats",
-                  fmt::format("unknown format \"{}\"; known: msh, vtu, svg, mesh", format));
-  table->finish();
+void read_solver(TomlTable& root, Study& study) {
+  if (auto table = root.table("solver")) study.solver = parse_solver(*table);
+  const LinearMethod method = study.solver.method;
+  const bool has_convection = study.problem && study.problem->has_convection();
+  if (method == LinearMethod::multigrid && study.plate)
+    root.table("solver")->fail("method", "multigrid is for kind = \"poisson\" only");
+  if (has_convection && method != LinearMethod::automatic && method != LinearMethod::general)
+    root.table("solver")->fail(
+        "method", "a velocity makes the system unsymmetric; write \"general\" or \"automatic\"");
 }
 
 /// The row that fits the study: a name, or a table by mode or elements whose entries are the same
@@ -199,20 +176,28 @@ void read_report(TomlTable& root, Study& study) {
   table->finish();
 }
 
+/// With an initial mesh from a file the solver says it.
+void check_plate_element(TomlTable& root, const Study& study) {
+  if (!study.plate || !study.initial.file.empty()) return;
+  const PlateElement element = study.plate->element;
+  if (element == PlateElement::mitc4 && study.elements != Elements::quadrilateral)
+    root.table("problem")->fail(
+        "element", "mitc4 is for quadrilaterals; write mesh.elements = \"quadrilateral\"");
+  if (element == PlateElement::arnold_falk && study.elements != Elements::triangle)
+    root.table("problem")->fail("element",
+                                "arnold-falk is for triangles; write mesh.elements = \"triangle\"");
+}
+
 void check_purpose(TomlTable& root, const Study& study) {
-  if (study.problem && study.elements != Elements::triangle)
-    root.table("mesh")->fail("elements",
-                             "this version solves a [problem] on triangles only; write elements = "
-                             "\"triangle\", or prescribe a [metric] for quadrilaterals");
-  if (study.metric && study.problem)
+  const bool has_problem = study.problem || study.plate;
+  if (study.metric && has_problem)
     root.fail("problem", "a study has either a [metric] or a [problem], not both");
-  if (!study.metric && !study.problem)
+  if (!study.metric && !has_problem)
     root.fail({}, "a study needs a [metric] table (prescribed sizes) or a [problem] table");
-  const bool has_target = study.target.nodes || study.target.error;
-  if (study.problem && (!has_target || (study.target.nodes && study.target.error)))
+  if (study.target.nodes && study.target.error)
     root.fail("adapt",
-              "a problem needs one of target = { nodes = 1000 } and target = { error = 0.01 }");
-  if (study.metric && has_target)
+              "a problem has one of target = { nodes = 1000 } and target = { error = 0.01 }");
+  if (study.metric && (study.target.nodes || study.target.error))
     root.fail("adapt", "a prescribed [metric] says itself how fine the mesh is; leave target out");
 }
 
@@ -228,11 +213,13 @@ Study parse_study(const toml::table& table, const fs::path& file) {
   read_adapt(root, study);
   if (auto metric = root.table("metric")) study.metric = parse_metric(*metric, study.mode);
   read_problem(root, study);
-  read_output(root, study);
+  read_solver(root, study);
+  if (auto output = root.table("output")) study.output = parse_output(*output);
   read_report(root, study);
   root.has("vary");
   root.finish();
   check_purpose(root, study);
+  check_plate_element(root, study);
   return study;
 }
 

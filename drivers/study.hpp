@@ -7,6 +7,9 @@
 
 #include "adapt/problem.hpp"
 #include "drivers/expression.hpp"
+#include "drivers/study_output.hpp"
+#include "drivers/study_plate.hpp"
+#include "drivers/study_problem.hpp"
 #include "drivers/toml_table.hpp"
 #include "mesher/generate.hpp"
 #include "mesher/mesh/boundary_domain.hpp"
@@ -31,26 +34,12 @@ struct PrescribedMetric {
   bool isotropic = false;  ///< the smaller of the two final sizes holds in all directions
 };
 
-struct BoundaryValue {
-  std::string curve;  ///< name of one or more curves
-  ExpressionText value;
-  std::string place;
-};
-
-/// -div(diffusion grad u) + reaction u = source, with u given on boundaries.
-struct ScalarProblemText {
-  double diffusion = 1, reaction = 0;
-  std::optional<ExpressionText> source;
-  std::string exact;  ///< name of a known solution, or empty
-  std::vector<BoundaryValue> boundary;
-};
-
 struct InitialMesh {
   std::filesystem::path file;  ///< empty: made by us with edges of length `size`
   double size = 0;
 };
 
-/// Exactly one is set for a problem, none for a prescribed metric.
+/// At most one is set, none for a prescribed metric; cycles of a problem need one.
 struct Target {
   std::optional<double> error;  ///< relative energy error
   std::optional<Index> nodes;
@@ -70,15 +59,18 @@ struct Study {
   Interpolation interpolation = Interpolation::linear_size;
   double chord_height = 0;
   std::int64_t max_elements = 5'000'000;
+  // Exactly one of the three is set.
   std::optional<PrescribedMetric> metric;
   std::optional<ScalarProblemText> problem;
+  std::optional<PlateProblemText> plate;
+  SolverSettings solver;
+  OutputRequests output;
   int cycles = 5;
   AdaptMode mode = AdaptMode::anisotropic;
   Target target;
   MetricLimits limits;
-  double gradation = 0;              ///< largest ratio of sizes over a unit length; 0: no limit
-  std::vector<std::string> formats;  ///< of msh vtu svg mesh
-  std::string paper_row;             ///< row of the paper's tables to print beside, e.g. "13b"
+  double gradation = 0;   ///< largest ratio of sizes over a unit length; 0: no limit
+  std::string paper_row;  ///< row of the paper's tables to print beside, e.g. "13b"
 };
 
 /// Reads all tables of a study but [vary]. Throws UsageError with file:line:column for unknown

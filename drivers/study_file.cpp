@@ -68,7 +68,12 @@ toml::table parse_with(const std::string& text, const std::string& file,
   return root;
 }
 
+/// Numbers as short as they can be: 0.1, not 0.10000000000000001.
 std::string as_toml(const toml::node& node) {
+  if (node.is_floating_point()) {
+    const std::string text = fmt::format("{}", *node.value<double>());
+    return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
+  }
   std::ostringstream stream;
   node.visit([&](const auto& value) { stream << value; });
   return stream.str();
@@ -179,6 +184,12 @@ Override parse_override(const std::string& text) {
   if (equals == std::string::npos || has_gap)
     throw UsageError("--set " + text + ": expected key=value such as mesh.preset=paper");
   return {key, text.substr(equals + 1), "--set"};
+}
+
+std::vector<Override> parse_overrides(const std::vector<std::string>& texts) {
+  std::vector<Override> overrides;
+  for (const std::string& text : texts) overrides.push_back(parse_override(text));
+  return overrides;
 }
 
 StudyFile read_study_file(const fs::path& path, const std::vector<Override>& overrides) {

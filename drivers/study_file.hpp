@@ -18,6 +18,7 @@ struct Override {
 
 /// Parses "key=value". Throws UsageError without "=" or with an empty key.
 Override parse_override(const std::string& text);
+std::vector<Override> parse_overrides(const std::vector<std::string>& texts);
 
 /// One combination of the [vary] values.
 struct Variant {

@@ -1,23 +1,8 @@
 #include "drivers/study.hpp"
+#include "drivers/study_expressions.hpp"
 
 namespace anisofront {
 namespace {
-
-std::vector<NamedExpression> parse_where(TomlTable& table) {
-  std::vector<NamedExpression> where;
-  if (auto names = table.table("where"))
-    for (const std::string& name : names->keys())
-      where.push_back({name, names->required(names->expression(name), name)});
-  return where;
-}
-
-Constants parse_constants(TomlTable& table) {
-  Constants constants;
-  if (auto names = table.table("constants"))
-    for (const std::string& name : names->keys())
-      constants.emplace_back(name, names->required(names->number(name), name));
-  return constants;
-}
 
 std::optional<std::array<ExpressionText, 2>> parse_direction(TomlTable& entry) {
   if (!entry.has("e1")) return {};
@@ -35,7 +20,7 @@ DirectionalSizes parse_sizes(TomlTable entry, const std::vector<NamedExpression>
   sizes.e1 = parse_direction(entry);
   sizes.distance_to = entry.texts("distance_to");
   sizes.where = shared;
-  for (NamedExpression& own : parse_where(entry)) sizes.where.push_back(std::move(own));
+  for (NamedExpression& own : read_where(entry)) sizes.where.push_back(std::move(own));
   entry.finish();
   return sizes;
 }
@@ -52,8 +37,8 @@ std::vector<DirectionalSizes> parse_list(TomlTable& table,
 
 PrescribedMetric parse_metric(TomlTable table, AdaptMode mode) {
   PrescribedMetric metric;
-  metric.constants = parse_constants(table);
-  const std::vector<NamedExpression> shared = parse_where(table);
+  metric.constants = read_constants(table);
+  const std::vector<NamedExpression> shared = read_where(table);
   metric.list = parse_list(table, shared);
   // Both sub-tables are read, so that mistakes in the one not used are found too.
   for (const AdaptMode each : {AdaptMode::isotropic, AdaptMode::anisotropic}) {

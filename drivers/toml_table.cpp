@@ -225,6 +225,27 @@ std::optional<ExpressionText> TomlTable::expression(const std::string& key) {
   return ExpressionText{*node->value<std::string>(), place(key)};
 }
 
+std::vector<ExpressionText> TomlTable::expressions(const std::string& key) {
+  std::vector<ExpressionText> list;
+  const toml::array* values = array(key, "expressions or numbers");
+  if (values == nullptr) return list;
+  for (const toml::node& node : *values) {
+    const auto number = finite_number(node);
+    if (!number && !node.is_string())
+      fail(key, "expected expressions in quotes or numbers, found " + type_name(node));
+    list.push_back({number ? fmt::format("{}", *number) : *node.value<std::string>(),
+                    fmt::format("{}[{}]", place(key), list.size())});
+  }
+  return list;
+}
+
+std::optional<bool> TomlTable::boolean(const std::string& key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return {};
+  if (!node->is_boolean()) fail(key, "expected true or false, found " + type_name(*node));
+  return node->value<bool>();
+}
+
 std::string TomlTable::choice(const std::string& key, const std::vector<std::string>& choices,
                               const std::string& fallback) {
   const std::string value = text(key).value_or(fallback);

@@ -36,6 +36,9 @@ class TomlTable {
   std::vector<TomlTable> tables(const std::string& key);
   /// A string or a number.
   std::optional<ExpressionText> expression(const std::string& key);
+  /// A list of strings and numbers.
+  std::vector<ExpressionText> expressions(const std::string& key);
+  std::optional<bool> boolean(const std::string& key);
   /// One of `choices`; `fallback` when the key is absent.
   std::string choice(const std::string& key, const std::vector<std::string>& choices,
                      const std::string& fallback);

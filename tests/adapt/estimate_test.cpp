@@ -4,8 +4,8 @@
 
 #include <doctest/doctest.h>
 
-#include "solver/norms.hpp"
-#include "solver/solve_scalar.hpp"
+#include "solver/scalar/norms.hpp"
+#include "solver/scalar/solve_scalar.hpp"
 #include "tests/solver/square_mesh.hpp"
 
 using namespace anisofront;
@@ -40,10 +40,12 @@ TEST_SUITE("convergence") {
       problem.dirichlet.push_back({side, [](Point) { return 0.; }});
     for (const Index n : {16, 48}) {
       const Mesh mesh = perturbed_mesh(n, 0.25, 9);
-      const auto u = solve_scalar(mesh, problem);
+      const FeMesh fe = straight_fe_mesh(mesh);
+      const ScalarField field = solve_scalar(fe, problem).field;
+      const std::vector<double>& u = field.values;
       const double estimate =
           estimate_energy_error(mesh, problem, u, fit_quadratics(mesh, u)).error;
-      const double effectivity = estimate / error_norms(mesh, problem, exact, u).energy;
+      const double effectivity = estimate / error_norms(fe, problem, exact, field).energy;
       CAPTURE(n);
       CHECK(effectivity == doctest::Approx(1).epsilon(n == 16 ? 0.1 : 0.05));
     }

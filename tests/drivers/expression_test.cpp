@@ -1,6 +1,8 @@
 #include "drivers/expression.hpp"
 
+#include <atomic>
 #include <cmath>
+#include <thread>
 
 #include <doctest/doctest.h>
 
@@ -23,7 +25,7 @@ std::string failure(const std::string& text) {
 TEST_SUITE_BEGIN("unit");
 
 TEST_CASE("an expression is a function of x and y") {
-  const auto f = scalar_function(at("2*x - y^2 + max(1, k) + sqrt(4)"), {{"k", 3.}});
+  const auto f = scalar_function(at("2*x - y^2 + max(1, k) + sqrt(4)"), {{{"k", 3.}}, {}});
   CHECK(f({5, 2}) == doctest::Approx(11));
   CHECK(f({0, 0}) == doctest::Approx(5));
   CHECK(scalar_function(at("cos(pi) + log(exp(2)) + (x > 1 ? 10 : 20)"))({2, 0}) ==
@@ -70,6 +72,43 @@ TEST_CASE("a value that is not finite is reported with the coordinates") {
   CHECK(has(message, "(x, y) = (0, 7)"));
   CHECK(has(message, "metric.h1 = \"1/x\""));
   CHECK_THROWS_AS(scalar_function(at("sqrt(x)"))({-1, 0}), InputError);
+}
+
+TEST_CASE("an expression without x and y is a number") {
+  CHECK(constant_value(at("2*k"), {{{"k", 3.}}, {}}) == 6.);
+  CHECK_FALSE(constant_value(at("2*x")).has_value());
+  // Through another name, too.
+  const ExpressionNames names{{}, {{"r", at("s + 1")}, {"s", at("y")}, {"k", at("7")}}};
+  CHECK_FALSE(constant_value(at("r"), names).has_value());
+  CHECK(constant_value(at("k"), names) == 7.);
+  CHECK(coefficient(at("0"), names).is_zero());
+  CHECK_FALSE(coefficient(at("0*x")).is_constant());
+  CHECK(coefficient(at("r"), names)({0, 4}) == 5.);
+  CHECK_THROWS_AS(coefficient(at("sqrt(-1)")), InputError);
+}
+
+TEST_CASE("a function of x and y may be called from several threads at once") {
+  const ExpressionNames names{{{"k", 2.}}, {{"r", at("k*x + y")}}};
+  const ScalarFunction f = scalar_function(at("r^2 - x"), names);
+  constexpr int kThreads = 8, kCalls = 20000;
+  std::atomic<int> wrong = 0;
+  {
+    std::vector<std::jthread> threads;
+    for (int thread = 0; thread < kThreads; ++thread)
+      threads.emplace_back([&, thread] {
+        for (int i = 0; i < kCalls; ++i) {
+          const double x = thread, y = i, r = 2 * x + y;
+          if (f({x, y}) != r * r - x) ++wrong;
+        }
+      });
+  }
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("an error in one thread leaves the function usable") {
+  const ScalarFunction f = scalar_function(at("1/x"));
+  for (int i = 0; i < 100; ++i) CHECK_THROWS_AS(f({0, 0}), InputError);
+  CHECK(f({4, 0}) == 0.25);
 }
 
 TEST_SUITE_END();

@@ -1,6 +1,5 @@
 #include "drivers/program.hpp"
 
-#include <algorithm>
 #include <csignal>
 #include <sstream>
 
@@ -9,28 +8,13 @@
 #include "drivers/html.hpp"
 #include "drivers/run_study.hpp"
 #include "drivers/text.hpp"
+#include "tests/drivers/program_call.hpp"
 #include "tests/drivers/temporary_folder.hpp"
 
 using namespace anisofront;
 using namespace anisofront::testing;
 
 namespace {
-
-struct Result {
-  int code;
-  std::string out, err;
-};
-
-Result call(std::vector<std::string> words) {
-  words.insert(words.begin(), "anisofront");
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  std::ostringstream out, err;
-  const int code = run_program(static_cast<int>(arguments.size()), arguments.data(), out, err);
-  return {code, out.str(), err.str()};
-}
-
-Json read_json(const std::filesystem::path& path) { return Json::parse(read_text_file(path)); }
 
 /// The history without times.
 Json timeless(Json history) {
@@ -56,7 +40,7 @@ TEST_SUITE_BEGIN("unit");
 TEST_CASE("help and version are successes") {
   CHECK(call({"--version"}).code == 0);
   CHECK(has(call({"--version"}).out, "anisofront"));
-  for (const char* command : {"run", "mesh", "check", "convert", "report"}) {
+  for (const char* command : {"run", "solve", "mesh", "check", "convert", "report"}) {
     const Result help = call({command, "--help"});
     CHECK(help.code == 0);
     CHECK(has(help.out, "Example"));

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "drivers/loop_input.hpp"
 #include "drivers/study_file.hpp"
 #include "tests/drivers/temporary_folder.hpp"
 
@@ -44,7 +45,7 @@ TEST_CASE("a study becomes plain structs") {
   CHECK(signed_area(study.domain, study.domain.regions[0].loops[0]) == doctest::Approx(1));
   REQUIRE(study.metric);
   CHECK(study.metric->list.front().h2.text == "h1");
-  CHECK(study.formats == std::vector<std::string>{"msh"});
+  CHECK(study.output.formats == std::vector<std::string>{"msh"});
 }
 
 TEST_CASE("the preset paper brings its own interpolation") {
@@ -79,12 +80,6 @@ TEST_CASE("wrong values say what was found and what was expected") {
   CHECK(has(failure(replaced(kTinyStudy, "[1, 0]", "[1]")), "point 2 of the list"));
   CHECK(has(failure(replaced(kTinyStudy, "[\"around\"]", "[\"arround\"]")),
             "no curve is called \"arround\"; did you mean \"around\"?"));
-}
-
-TEST_CASE("what arrives later is refused clearly") {
-  const std::string plate =
-      replaced(kTinyStudy, "[metric]", "[problem]\nkind = \"mindlin\"\n[metric]");
-  CHECK(has(failure(plate), "plates arrive in a later version"));
 }
 
 TEST_CASE("the elements and how to make them come from the file") {
@@ -127,17 +122,40 @@ TEST_CASE("wrong words about elements are refused with the nearest one") {
   CHECK(has(complaint("quad_efort = \"fast\""), "did you mean \"quad_effort\"?"));
 }
 
-TEST_CASE("a problem is solved on triangles only") {
-  const std::string problem = replaced(
-      replaced(kTinyStudy, "[metric]\nprescribed = [{ h1 = \"0.2 + 0.1*x\", h2 = \"h1\" }]",
-               "[problem]\nsource = 1"),
-      "cycles = 2", "target = { nodes = 100 }");
-  CHECK(failure(problem) == "");
-  for (const char* elements : {"quadrilateral", "mixed"}) {
-    const std::string text =
-        replaced(problem, "[problem]", "elements = \"" + std::string(elements) + "\"\n[problem]");
-    CHECK(has(failure(text), "s.toml:7:12: mesh.elements: this version solves a [problem] on"));
-  }
+TEST_CASE("a study has a metric or a problem") {
+  CHECK(has(failure(replaced(kTinyStudy, "[metric]", "[problem]\n[metric]")),
+            "either a [metric] or a [problem], not both"));
+  CHECK(has(failure(replaced(kTinyStudy, "[metric]",
+                             "[problem]\nkind = \"mindlin\"\n"
+                             "thickness = 1\nyoung = 1\n"
+                             "poisson_ratio = 0.3\n[metric]")),
+            "either a [metric] or a [problem], not both"));
+  CHECK(has(failure(replaced(kTinyStudy,
+                             "[metric]\nprescribed = [{ h1 = \"0.2 + 0.1*x\", h2 = \"h1\" }]", "")),
+            "needs a [metric] table (prescribed sizes) or a [problem] table"));
+}
+
+TEST_CASE("cycles refuse what only one solve can do and say so") {
+  const auto refusal = [](const std::string& mesh, const std::string& problem,
+                          const std::string& adapt) {
+    const std::string text = replaced(
+        replaced(kTinyStudy, "[metric]\nprescribed = [{ h1 = \"0.2 + 0.1*x\", h2 = \"h1\" }]",
+                 mesh + "[problem]\n" + problem),
+        "cycles = 2", adapt);
+    return message_of<UsageError>([&] { loop_input(parse(text)); });
+  };
+  const std::string target = "target = { nodes = 100 }";
+  const std::string around = "boundary.around = { value = 0 }";
+  CHECK(refusal("", around, target) == "");
+  CHECK(refusal("", "order = 2", target) ==
+        "s.toml:7:1: problem.order: cycles are run with order 1 so far; for one mesh: anisofront "
+        "solve s.toml");
+  CHECK(has(refusal("elements = \"mixed\"\n", "source = 1", target),
+            "s.toml:8:1: problem: cycles of a [problem] are run on triangles so far"));
+  CHECK(has(refusal("", "source = 1", "cycles = 2"), "cycles need adapt.target"));
+  CHECK(
+      has(refusal("", "kind = \"mindlin\"\nthickness = 1\nyoung = 1\npoisson_ratio = 0.3", target),
+          "plates are solved on one mesh so far: anisofront solve s.toml"));
 }
 
 TEST_CASE("the row of the paper fits mode and elements") {
@@ -186,8 +204,10 @@ TEST_CASE("contradictions are refused") {
   CHECK(has(failure(replaced(kTinyStudy, "cycles = 2", "limits = { hmin = 2, hmax = 1 }")),
             "larger than hmax"));
   const std::string problem = replaced(
-      kTinyStudy, "[metric]\nprescribed = [{ h1 = \"0.2 + 0.1*x\", h2 = \"h1\" }]", "[problem]");
-  CHECK(has(failure(problem), "needs one of target"));
+      replaced(kTinyStudy, "[metric]\nprescribed = [{ h1 = \"0.2 + 0.1*x\", h2 = \"h1\" }]",
+               "[problem]"),
+      "cycles = 2", "target = { nodes = 10, error = 0.1 }");
+  CHECK(has(failure(problem), "a problem has one of target"));
 }
 
 TEST_CASE("every kind of curve has the points geometry says") {
@@ -258,6 +278,19 @@ TEST_CASE("the variants are the cartesian product with the last key fastest") {
   CHECK(file.variants[4].study.preset == Preset::paper);
 }
 
+TEST_CASE("numbers that vary name their variants as they are written") {
+  const TemporaryFolder folder;
+  const auto path = folder.write(
+      "v.toml", std::string(kTinyStudy) + "[vary]\n\"adapt.limits.hmax\" = [0.1, 2.0, 1e-7]\n");
+  const StudyFile file = read_study_file(path);
+  REQUIRE(file.variants.size() == 3);
+  CHECK(file.variants[0].name == "0.1");
+  CHECK(file.variants[0].study.limits.hmax == 0.1);
+  CHECK(file.variants[1].name == "2.0");
+  CHECK(file.variants[2].name == "1e-07");
+  CHECK(file.variants[2].study.limits.hmax == 1e-7);
+}
+
 TEST_CASE("--set replaces values and takes bare words") {
   const TemporaryFolder folder;
   const auto path = folder.write(
@@ -294,7 +327,7 @@ TEST_CASE("all studies that we ship can be read") {
       CHECK_FALSE(read_study_file(entry.path()).variants.empty());
       ++count;
     }
-  CHECK(count >= 10);
+  CHECK(count >= 15);
 }
 
 TEST_SUITE_END();

@@ -42,13 +42,13 @@ run_lint(check_layers.cmake code output -DROOT=${WORK} -DNOTES=OFF)
 if(NOT code EQUAL 0)
   message(FATAL_ERROR "the copy does not keep to the layers:\n${output}")
 endif()
-expect_include_caught(mesher/metric/metric.hpp "#include \"solver/norms.hpp\"" "\"solver/norms.hpp\"")
+expect_include_caught(mesher/metric/metric.hpp "#include \"solver/scalar/norms.hpp\"" "\"solver/scalar/norms.hpp\"")
 expect_include_caught(mesher/metric/metric.hpp "#include \"mesher/front/front.hpp\""
                       "\"mesher/front/front.hpp\"")
 expect_include_caught(mesher/mesh/check.cpp "#include \"topology.hpp\"" "\"topology.hpp\"")
 expect_include_caught(mesher/generate.cpp "  # include \"mesher/io/medit.hpp\""
                       "\"mesher/io/medit.hpp\"")
-expect_include_caught(solver/norms.cpp "#include \"adapt/loop.hpp\"" "\"adapt/loop.hpp\"")
+expect_include_caught(solver/scalar/norms.cpp "#include \"adapt/loop.hpp\"" "\"adapt/loop.hpp\"")
 expect_include_caught(mesher/mesh/check.cpp "#include <Eigen/Core>" "<Eigen/Core>")
 expect_include_caught(mesher/quads/matching.hpp "#include <lemon/matching.h>" "<lemon/matching.h>")
 expect_include_caught(mesher/quads/matching.cpp "#include <CGAL/number_utils.h>"

@@ -7,8 +7,9 @@
 # does nothing when all packages are there.
 set -eu
 
-packages="g++ cmake ninja-build ccache libeigen3-dev liblemon-dev libcli11-dev
-  libspdlog-dev nlohmann-json3-dev libtomlplusplus-dev libmuparser-dev gnuplot-nox librsvg2-bin"
+packages="g++ cmake ninja-build ccache libeigen3-dev libsuitesparse-dev libopenblas-dev
+  liblemon-dev libcli11-dev libspdlog-dev nlohmann-json3-dev libtomlplusplus-dev libmuparser-dev
+  gnuplot-nox librsvg2-bin"
 for option in "$@"; do
   case "$option" in
     --tests) packages="$packages clang-format doctest-dev librapidcheck-dev libcgal-dev gmsh
