@@ -2,20 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mesher/geometry/error.hpp"
 #include "mesher/mesh/topology.hpp"
 #include "mesher/metric/gradation.hpp"
+#include "mesher/metric/intersection.hpp"
 #include "mesher/metric/metric_length.hpp"
 #include "mesher/metric/statistics.hpp"
 
 namespace anisofront {
 namespace {
 
-constexpr double kScaleTolerance = 1e-4;
-constexpr int kMaxChords = 60;
-/// Steps of log D that look for a bracket: doubled from the first to the last.
-constexpr double kFirstStep = 0.1, kLastStep = 30;
+constexpr double kScaleTolerance = 1e-4, kGradedTolerance = 5e-4;
+constexpr int kMaxTrials = 60, kMaxGradedTrials = 15;
+/// Largest single step of the logarithm of the factor, and how far it may go from its first value.
+constexpr double kMaxStep = 6, kMaxDistance = 50;
+constexpr double kLeastSlope = 0.02;
 
 /// Absolute eigenvalues of a symmetric tensor, the larger first.
 PrincipalMetric absolute(const Hessian& h) {
@@ -37,14 +40,10 @@ void require_target(double target, const MetricLimits& limits) {
                      "; expected 0 <= hmin < hmax and stretch >= 1");
 }
 
-MetricField scaled(const Mesh& mesh, const PrincipalField& density, double factor,
-                   const MetricLimits& limits) {
-  MetricField field;
-  field.reserve(density.size());
-  for (const auto& [l1, l2, e1] : density)
-    field.push_back(metric_of(limited({factor * l1, factor * l2, e1}, limits)));
-  limit_gradation(mesh, field, limits.gradation);
-  return field;
+void require_one_per_vertex(const Mesh& mesh, std::size_t entries, const char* what) {
+  if (entries != mesh.points.size())
+    throw InputError(std::string(what) + " has " + std::to_string(entries) +
+                     " entries, expected one per vertex: " + std::to_string(mesh.points.size()));
 }
 
 /// A factor that was tried.
@@ -53,10 +52,32 @@ struct Trial {
   double excess = 0;  ///< log(measure / target)
 };
 
-/// Zero of the chord through two trials of opposite sign, kept away from the ends of the bracket.
-double chord(const Trial& low, const Trial& high) {
-  const double t = low.excess / (low.excess - high.excess);
-  return low.log_factor + std::clamp(t, 0.05, 0.95) * (high.log_factor - low.log_factor);
+/// Zero of a growing function of the factor: secant steps, halving where they leave the bracket.
+/// Its slope is near one where no limit bites. The last trial when there is no zero.
+template <class Excess>
+Trial find_factor(const Excess& excess, double start, double tolerance, int max_trials) {
+  double low = -std::numeric_limits<double>::infinity(), high = -low, slope = 1;
+  Trial now{start, excess(start)};
+  for (int k = 1; k < max_trials && std::abs(now.excess) > tolerance; ++k) {
+    (now.excess < 0 ? low : high) = now.log_factor;
+    double next = now.log_factor - std::clamp(now.excess / slope, -kMaxStep, kMaxStep);
+    if (next <= low || next >= high) next = 0.5 * (low + high);
+    if (std::abs(next - start) > kMaxDistance || next == now.log_factor) break;
+    const Trial last = std::exchange(now, {next, excess(next)});
+    slope = (now.excess - last.excess) / (now.log_factor - last.log_factor);
+    slope = std::max(slope, kLeastSlope);
+  }
+  return now;
+}
+
+double boundary_length(const Mesh& mesh, const std::vector<std::array<Index, 2>>& boundary,
+                       const MetricField& field) {
+  double length = 0;
+  for (const auto& [a, b] : boundary) {
+    const Vector d = mesh.points[b] - mesh.points[a];
+    length += log_mean_length(squared_length(field[a], d), squared_length(field[b], d));
+  }
+  return length;
 }
 
 }  // namespace
@@ -66,19 +87,26 @@ Metric metric_of(const PrincipalMetric& m) {
   return {m.l2 + d * m.e1.x * m.e1.x, d * m.e1.x * m.e1.y, m.l2 + d * m.e1.y * m.e1.y};
 }
 
-PrincipalField absolute_hessians(std::span<const LocalQuadratic> quadratics, AdaptMode mode,
-                                 double floor) {
-  PrincipalField field;
+PrincipalMetric principal_of(const Metric& m) {
+  const PrincipalAxes axes = principal_axes(m);
+  return {1 / (axes.h1 * axes.h1), 1 / (axes.h2 * axes.h2), axes.e1};
+}
+
+void lift_to_floor(PrincipalField& field, AdaptMode mode, double floor) {
   double largest = 0;
-  for (const LocalQuadratic& q : quadratics) {
-    field.push_back(absolute(q.hessian));
-    largest = std::max(largest, field.back().l1);
-  }
+  for (const PrincipalMetric& m : field) largest = std::max(largest, m.l1);
   const double least = largest > 0 ? floor * largest : 1;
   for (PrincipalMetric& m : field) {
     m.l1 = std::max(m.l1, least);
     m.l2 = mode == AdaptMode::isotropic ? m.l1 : std::max(m.l2, least);
   }
+}
+
+PrincipalField absolute_hessians(std::span<const LocalQuadratic> quadratics, AdaptMode mode,
+                                 double floor) {
+  PrincipalField field;
+  for (const LocalQuadratic& q : quadratics) field.push_back(absolute(q.hessian));
+  lift_to_floor(field, mode, floor);
   return field;
 }
 
@@ -87,6 +115,14 @@ PrincipalField lp_density(PrincipalField absolute_hessians, double p) {
     const double factor = std::pow(m.l1 * m.l2, -1 / (2 * p + 2));
     m.l1 *= factor;
     m.l2 *= factor;
+  }
+  return absolute_hessians;
+}
+
+PrincipalField energy_density(PrincipalField absolute_hessians) {
+  for (PrincipalMetric& m : absolute_hessians) {
+    const double root = std::sqrt(m.l1 / m.l2);
+    m = {m.l1 * root, m.l2 / root, m.e1};
   }
   return absolute_hessians;
 }
@@ -105,40 +141,53 @@ double complexity(const Mesh& mesh, const MetricField& field) {
 }
 
 double expected_vertices(const Mesh& mesh, const MetricField& field) {
-  double boundary = 0;
-  for (const auto& [a, b] : boundary_edges(mesh)) {
-    const Vector d = mesh.points[b] - mesh.points[a];
-    boundary += log_mean_length(squared_length(field[a], d), squared_length(field[b], d));
+  return vertex_measure(mesh)(mesh, field);
+}
+
+MetricMeasure vertex_measure(const Mesh& mesh) {
+  return [boundary = boundary_edges(mesh)](const Mesh& same, const MetricField& field) {
+    return 1 + 0.5 * (metric_complexity(same, field) + boundary_length(same, boundary, field));
+  };
+}
+
+MetricField bounded_metric(const PrincipalField& density, double factor, const MetricLimits& limits,
+                           std::span<const Metric> beside) {
+  MetricField field(density.size());
+#pragma omp parallel for schedule(static)
+  for (std::size_t v = 0; v < density.size(); ++v) {
+    PrincipalMetric m{factor * density[v].l1, factor * density[v].l2, density[v].e1};
+    if (!beside.empty()) m = principal_of(intersect(metric_of(m), beside[v]));
+    field[v] = metric_of(limited(m, limits));
   }
-  return 1 + 0.5 * (metric_complexity(mesh, field) + boundary);
+  return field;
 }
 
 ScaledMetric scale_metric(const Mesh& mesh, const PrincipalField& density,
-                          const MetricMeasure& measure, double target, const MetricLimits& limits) {
+                          const MetricMeasure& measure, double target, const MetricLimits& limits,
+                          std::span<const Metric> beside) {
   require_target(target, limits);
-  ScaledMetric best;
-  const auto try_factor = [&](double log_factor) {
-    best.field = scaled(mesh, density, std::exp(log_factor), limits);
-    best.measure = measure(mesh, best.field);
-    return Trial{log_factor, std::log(best.measure / target)};
+  require_one_per_vertex(mesh, density.size(), "the density of the metric");
+  if (!beside.empty()) require_one_per_vertex(mesh, beside.size(), "the metric beside the density");
+  ScaledMetric result;
+  const auto excess_with = [&](double gradation) {
+    return [&, gradation](double log_factor) {
+      result.factor = std::exp(log_factor);
+      result.field = bounded_metric(density, result.factor, limits, beside);
+      limit_gradation(mesh, result.field, gradation);
+      result.measure = measure(mesh, result.field);
+      return std::log(result.measure / target);
+    };
   };
   // Without limits the measure is nearly proportional to the factor.
-  const double first = target / measure(mesh, scaled(mesh, density, 1, {}));
-  Trial low = try_factor(std::log(first)), high = low, last = low;
-  for (double step = kFirstStep; high.excess < 0 && step < kLastStep; step *= 2) {
-    low = high;
-    last = high = try_factor(high.log_factor + step);
-  }
-  for (double step = kFirstStep; low.excess > 0 && step < kLastStep; step *= 2) {
-    high = low;
-    last = low = try_factor(low.log_factor - step);
-  }
-  if (high.excess < 0 || low.excess > 0) return best;  // the limits forbid the target
-  for (int k = 0; k < kMaxChords && std::abs(last.excess) > kScaleTolerance; ++k) {
-    last = try_factor(chord(low, high));
-    (last.excess < 0 ? low : high) = last;
-  }
-  return best;
+  const double first = target / measure(mesh, bounded_metric(density, 1, {}));
+  if (!(first > 0) || !std::isfinite(first))
+    throw InputError("the density of the metric has no finite integral; expected positive " +
+                     std::string("eigenvalues and unit vectors at every vertex"));
+  const Trial ungraded = find_factor(excess_with(0), std::log(first), kScaleTolerance, kMaxTrials);
+  if (limits.gradation > 1)
+    find_factor(excess_with(limits.gradation), ungraded.log_factor, kGradedTolerance,
+                kMaxGradedTrials);
+  return result;
 }
 
 }  // namespace anisofront

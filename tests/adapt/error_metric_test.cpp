@@ -76,6 +76,31 @@ TEST_SUITE("unit") {
     CHECK(lp_density({{16, 4, {0, 1}}}, 1)[0].l2 == doctest::Approx(std::sqrt(2)));  // 64^(-1/4)
   }
 
+  TEST_CASE("the energy density is the squared Hessian by the root of its determinant") {
+    const PrincipalField density = energy_density({{16, 4, {0, 1}}});
+    CHECK(density[0].l1 == doctest::Approx(32));  // 16^2 / 8
+    CHECK(density[0].l2 == doctest::Approx(2));
+    CHECK(density[0].e1 == Vector{0, 1});
+  }
+
+  TEST_CASE("eigenvalues and direction of a metric are found again") {
+    const PrincipalMetric m = principal_of(metric_of(PrincipalMetric{1e6, 2, {0.6, -0.8}}));
+    CHECK(m.l1 == doctest::Approx(1e6));
+    CHECK(m.l2 == doctest::Approx(2));
+    CHECK(std::abs(dot(m.e1, {0.6, -0.8})) == doctest::Approx(1));
+  }
+
+  TEST_CASE("the metric beside the density is intersected before the limits") {
+    const PrincipalField density{{4, 1, {1, 0}}};
+    const MetricField beside{{1, 0, 100}};
+    const Metric plain = bounded_metric(density, 2, {}, beside)[0];
+    CHECK(plain.m11 == doctest::Approx(8));
+    CHECK(plain.m22 == doctest::Approx(100));
+    const Metric limited = bounded_metric(density, 2, {.hmin = 0.2, .stretch = 1.25}, beside)[0];
+    CHECK(limited.m22 == doctest::Approx(25));
+    CHECK(limited.m11 == doctest::Approx(16));
+  }
+
   TEST_CASE("limits clip sizes and let the larger size give way to the stretch") {
     const MetricLimits limits{.hmin = 0.01, .hmax = 2, .stretch = 10};
     const PrincipalMetric m = limited({1e6, 1e-3, {0, 1}}, limits);
@@ -107,6 +132,12 @@ TEST_SUITE("unit") {
     CHECK_THROWS_WITH_AS(scale(10, {.hmin = 1, .hmax = 0.5}), doctest::Contains("hmin < hmax"),
                          InputError);
     CHECK_THROWS_AS(scale(10, {.stretch = 0.5}), InputError);
+    PrincipalField broken = density;
+    broken[7].e1.x = std::nan("");
+    CHECK_THROWS_WITH_AS(scale_metric(mesh, broken, complexity, 10, {}),
+                         doctest::Contains("no finite integral"), InputError);
+    CHECK_THROWS_AS(scale_metric(mesh, PrincipalField(3), complexity, 10, {}), InputError);
+    CHECK_THROWS_AS(scale_metric(mesh, density, complexity, 10, {}, MetricField(2)), InputError);
   }
 }
 
@@ -118,20 +149,47 @@ TEST_SUITE("property") {
         for (const MetricLimits& limits :
              {MetricLimits{}, MetricLimits{.hmin = 1e-3, .hmax = 0.3},
               MetricLimits{.hmin = 1e-4, .hmax = 0.5, .stretch = 5, .gradation = 2}}) {
-          const auto [field, measure] =
+          const auto [field, measure, factor] =
               scale_metric(mesh, layer_density(mesh, mode), complexity, target, limits);
           CAPTURE(target);
           CAPTURE(limits.stretch);
           CHECK(complexity(mesh, field) == doctest::Approx(target).epsilon(1e-3));
           CHECK(measure == doctest::Approx(target).epsilon(1e-3));
+          CHECK(factor > 0);
         }
+  }
+
+  TEST_CASE("with a fixed metric beside it the density takes what is left of the target") {
+    const Mesh mesh = square_mesh(20);
+    MetricField beside;
+    for (const Point& p : mesh.points)
+      beside.push_back(metric_from_size(p.x < 0.3 ? 0.02 : 2));  // about 0.3 / 0.0004 = 750
+    const auto [field, measure, factor] =
+        scale_metric(mesh, layer_density(mesh, AdaptMode::anisotropic), complexity, 2000,
+                     {.gradation = 1.5}, beside);
+    CHECK(complexity(mesh, field) == doctest::Approx(2000).epsilon(1e-3));
+    for (std::size_t v = 0; v < field.size(); ++v)
+      for (const Vector d : {Vector{1, 0}, Vector{0, 1}, Vector{1, 1}})
+        CHECK(squared_length(field[v], d) >= squared_length(beside[v], d) * (1 - 1e-9));
+    // A target below what the fixed part needs is missed upwards.
+    const double least =
+        scale_metric(mesh, layer_density(mesh, AdaptMode::anisotropic), complexity, 200, {}, beside)
+            .measure;
+    CHECK(least > 625);
+    CHECK(least < 750);
+  }
+
+  TEST_CASE("the measure with the boundary kept agrees with the number of vertices expected") {
+    const Mesh mesh = perturbed_mesh(9, 0.3, 8);
+    const auto field = bounded_metric(layer_density(mesh, AdaptMode::anisotropic), 3, {});
+    CHECK(vertex_measure(mesh)(mesh, field) == expected_vertices(mesh, field));
   }
 
   TEST_CASE("without gradation every scaled metric obeys sizes and stretch") {
     const Mesh mesh = square_mesh(20);
     const MetricLimits limits{.hmin = 0.01, .hmax = 0.2, .stretch = 4};
-    const auto [field, measure] = scale_metric(mesh, layer_density(mesh, AdaptMode::anisotropic),
-                                               expected_vertices, 800, limits);
+    const auto [field, measure, factor] = scale_metric(
+        mesh, layer_density(mesh, AdaptMode::anisotropic), expected_vertices, 800, limits);
     CHECK(measure == doctest::Approx(800).epsilon(1e-3));
     for (const Metric& m : field) {
       const auto [l1, l2] = eigenvalues(m);

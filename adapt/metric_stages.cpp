@@ -1,0 +1,141 @@
+#include "adapt/metric_stages.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "mesher/background/background_mesh.hpp"
+#include "mesher/geometry/error.hpp"
+
+namespace anisofront {
+namespace {
+
+/// Change of a size that counts as a decision.
+constexpr double kNoticeable = 0.01;
+
+double diagonal(const Mesh& mesh) {
+  Box box{mesh.points[0], mesh.points[0]};
+  for (const Point p : mesh.points) box = enclosing(box, p);
+  return norm(box.high - box.low);
+}
+
+/// One metric per vertex to be intersected with the density; empty when there is none.
+MetricField layer_part(const Mesh& mesh, const LayerFrame& frame, const LayerSettings& layers,
+                       const StageOptions& options) {
+  if (layers.tags.empty() || !options.use_layer_metric) return {};
+  MetricField field =
+      layer_metric(mesh, frame, layers, std::min(options.limits.hmax, diagonal(mesh)));
+  if (options.density.mode == AdaptMode::isotropic)
+    for (Metric& m : field) m = metric_from_size(principal_axes(m).h1);
+  return field;
+}
+
+std::vector<MetricStage> stages_of(const Mesh& mesh, const PrincipalField& density,
+                                   const MetricField& layer, double vertices,
+                                   const MetricLimits& limits, const ScaledMetric& result) {
+  const double alone = scale_metric(mesh, density, vertex_measure(mesh), vertices, {}).factor;
+  std::vector<MetricStage> stages;
+  const auto add = [&](const char* name, double factor, std::span<const Metric> beside,
+                       const MetricLimits& with) {
+    stages.push_back({name, bounded_metric(density, factor, with, beside)});
+  };
+  add("density", alone, {}, {});
+  add("scaled", result.factor, {}, {});
+  if (!layer.empty()) add("layer", result.factor, layer, {});
+  add("size limits", result.factor, layer, {.hmin = limits.hmin, .hmax = limits.hmax});
+  add("stretch limit", result.factor, layer, limits);
+  stages.push_back({"gradation", result.field});
+  return stages;
+}
+
+bool is_changed(double from, double to) { return std::abs(to - from) > kNoticeable * from; }
+
+/// Marks the stage that set the given size.
+void mark_decision(std::vector<StageSizes>& sizes, double StageSizes::*size,
+                   bool StageSizes::*decided) {
+  std::size_t last = 0;
+  for (std::size_t k = 1; k < sizes.size(); ++k)
+    if (sizes[k].stage != "scaled" && is_changed(sizes[k - 1].*size, sizes[k].*size)) last = k;
+  sizes[last].*decided = true;
+}
+
+std::string reason(const std::string& stage, double before, double after) {
+  if (stage == "density") return "the error";
+  if (stage == "layer") return "the a-priori metric of the layer";
+  if (stage == "size limits") return after > before ? "hmin" : "hmax";
+  if (stage == "stretch limit") return "the largest stretch";
+  if (stage == "gradation") return "the gradation (smaller sizes nearby)";
+  return "the stage " + stage;
+}
+
+/// Four digits are enough for people.
+std::string rounded(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return text.data();
+}
+
+/// A direction without a sense: to the right, in thousandths.
+std::string direction(Vector e) {
+  if (e.x < 0 || (e.x == 0 && e.y < 0)) e = -e;
+  const auto thousandths = [](double x) { return rounded(std::round(1000 * x) / 1000 + 0.); };
+  return "(" + thousandths(e.x) + ", " + thousandths(e.y) + ")";
+}
+
+std::string sentence(const std::vector<StageSizes>& stages, double StageSizes::*size,
+                     bool StageSizes::*decided, const std::string& which) {
+  std::size_t k = 0;
+  while (!(stages[k].*decided)) ++k;
+  const double before = stages[k == 0 ? 0 : k - 1].*size;
+  std::string text = "The size " + rounded(stages.back().*size) + " " + which + " is set by " +
+                     reason(stages[k].stage, before, stages[k].*size);
+  if (k > 0) text += "; before it was " + rounded(before);
+  return text + ".";
+}
+
+}  // namespace
+
+StagedMetric make_metric(const FeMesh& fe, FieldHessians fields, const LayerSettings& layers,
+                         double vertices, const StageOptions& options) {
+  const Mesh& mesh = fe.mesh;
+  const LayerFrame frame = layer_frame(fe, layers);
+  if (options.align) align_with_layers(frame, layers.reach * layers.width, fields);
+  const PrincipalField density = metric_density(mesh, fields, options.density);
+  const MetricField layer = layer_part(mesh, frame, layers, options);
+  ScaledMetric scaled =
+      scale_metric(mesh, density, vertex_measure(mesh), vertices, options.limits, layer);
+  StagedMetric result;
+  if (options.keep_stages)
+    result.stages = stages_of(mesh, density, layer, vertices, options.limits, scaled);
+  result.field = std::move(scaled.field);
+  result.measure = scaled.measure;
+  return result;
+}
+
+std::vector<StageSizes> explain_metric(const Mesh& mesh, const std::vector<MetricStage>& stages,
+                                       Point p) {
+  if (stages.empty())
+    throw InputError("the stages of the metric were not kept; ask for them when it is made");
+  std::vector<StageSizes> sizes;
+  Index hint = 0;
+  for (const MetricStage& stage : stages) {
+    const PrincipalAxes axes = principal_axes(BackgroundMesh(mesh, stage.field).metric_at(p, hint));
+    sizes.push_back({stage.name, axes.h1, axes.h2, axes.e1});
+  }
+  mark_decision(sizes, &StageSizes::h1, &StageSizes::decided_h1);
+  mark_decision(sizes, &StageSizes::h2, &StageSizes::decided_h2);
+  return sizes;
+}
+
+std::string describe_stages(const std::vector<StageSizes>& stages) {
+  return sentence(stages, &StageSizes::h1, &StageSizes::decided_h1,
+                  "along " + direction(stages.back().e1)) +
+         "\n" + sentence(stages, &StageSizes::h2, &StageSizes::decided_h2, "across");
+}
+
+double plate_stretch_limit(double length, double thickness) {
+  return std::clamp(0.15 * length / thickness, 10., 150.);
+}
+
+}  // namespace anisofront
