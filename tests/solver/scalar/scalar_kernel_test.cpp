@@ -50,8 +50,9 @@ TEST_SUITE("unit") {
       CHECK(system.rhs[3 + i] == doctest::Approx(2));  // 2 * area 3 / 3
     }
     // P2 mass matrix, A/180 [6 at corners, 32 on the edges]; stiffness of a linear function is 0.
-    const auto mass = system_of(one_triangle({0, 0}, {3, 0}, {1, 2}), {1., 180., 0.}, 2).matrix -
-                      system_of(one_triangle({0, 0}, {3, 0}, {1, 2}), {1., 0., 0.}, 2).matrix;
+    const Eigen::MatrixXd mass =
+        system_of(one_triangle({0, 0}, {3, 0}, {1, 2}), {1., 180., 0.}, 2).matrix -
+        system_of(one_triangle({0, 0}, {3, 0}, {1, 2}), {1., 0., 0.}, 2).matrix;
     CHECK(mass(0, 0) == doctest::Approx(3 * 6));
     CHECK(mass(3, 3) == doctest::Approx(3 * 32));
     CHECK(mass(0, 1) == doctest::Approx(3 * -1));
