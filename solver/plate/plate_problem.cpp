@@ -66,30 +66,30 @@ void require_positive(double value, const char* what, const std::string& place) 
                      ", expected a positive number");
 }
 
-void require_material(const PlateMaterial& material, double diagonal, const std::string& place) {
+void require_material(const PlateMaterial& material, double side, const std::string& place) {
   require_positive(material.young, "Young's modulus", place);
   require_positive(material.thickness, "the thickness", place);
   require_positive(material.shear_factor, "the shear factor", place);
   if (!(material.poisson > -1 && material.poisson < 0.5))
     throw InputError("Poisson's ratio of the plate in " + place + " is " +
                      describe(material.poisson) + ", expected a number between -1 and 0.5");
-  if (material.thickness < kLeastThicknessRatio * diagonal)
-    throw InputError("the thickness of the plate in " + place + " is " +
-                     describe(material.thickness) + ", " + describe(material.thickness / diagonal) +
-                     " of the diagonal " + describe(diagonal) + " of the mesh, expected at least " +
-                     describe(kLeastThicknessRatio) +
-                     ": the condition of the system grows like (L/t)^2 (L/h)^4 and round-off would "
-                     "take the digits of the result; use a thicker plate (below 1e-3 the result "
-                     "hardly changes but for the width of its layers)");
+  if (material.thickness < kLeastThicknessRatio * side)
+    throw InputError(
+        "the thickness of the plate in " + place + " is " + describe(material.thickness) + ", " +
+        describe(material.thickness / side) + " of the longer side " + describe(side) +
+        " of the box round the mesh, expected at least " + describe(kLeastThicknessRatio) +
+        ": the condition of the system grows like (L/t)^2 (L/h)^4 and round-off would "
+        "take the digits of the result; use a thicker plate (below 1e-3 the result "
+        "hardly changes but for the width of its layers)");
 }
 
-double diagonal_of(const Mesh& mesh) {
+double longer_side(const Mesh& mesh) {
   Point low = mesh.points.front(), high = low;
   for (const Point p : mesh.points) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  return norm(high - low);
+  return std::max(high.x - low.x, high.y - low.y);
 }
 
 /// Functions are checked where they are evaluated.
@@ -114,7 +114,7 @@ void check_regions(const PlateProblem& problem, const Mesh& mesh) {
   }
   require_finite(problem.load.everywhere(), "the load");
   for (const Index tag : known)
-    require_material(problem.material_in(tag), diagonal_of(mesh),
+    require_material(problem.material_in(tag), longer_side(mesh),
                      "region " + describe_tag(mesh, 2, tag));
 }
 

@@ -80,9 +80,9 @@ struct PlateProblem {
 inline constexpr double kLeastThicknessRatio = 1e-5;
 
 /// Throws InputError for E, t, k <= 0, nu outside (-1, 1/2), t below kLeastThicknessRatio times the
-/// diagonal of the mesh (with the reason), values that are not finite, tags that no edge or region
-/// of the mesh carries (with the group name) or that come twice, vertices that no element has.
-/// Functions are checked where they are evaluated.
+/// longer side of the box round the mesh (with the reason), values that are not finite, tags that
+/// no edge or region of the mesh carries (with the group name) or that come twice, vertices that no
+/// element has. Functions are checked where they are evaluated.
 void validate(const PlateProblem& problem, const FeMesh& mesh);
 
 }  // namespace anisofront
