@@ -33,7 +33,7 @@ bench_solver=$build/tests/bench/bench_solver
 require "$bench_solver" FreeFem++ /usr/bin/time
 make_folder
 
-peer_solvers="CHOLMOD CHOLMOD-full UMFPACK default"
+peer_solvers="CHOLMOD UMFPACK default"
 
 # measured COMMAND...: runs it, output in $folder/output, peak kilobytes in $folder/memory.
 measured() {
@@ -52,9 +52,8 @@ ours() {
 # peer NAME KIND SOLVER
 peer() {
   measured FreeFem++ -nw -v 0 tests/bench/poisson.edp "$1.mesh" "$2" "$3"
-  awk -v m="$(cat "$folder/memory")" '$1 == "stamp" {at[$2] = $3} $1 == "result" {n = $2; e = $3}
-    END {print at["assembled"] - at["start"], at["solved"] - at["assembled"],
-      at["solved"] - at["start"], m, n, e}' OFMT=%.3f "$folder/output" >>"$1.$3"
+  awk -v m="$(cat "$folder/memory")" '$1 == "stamp" {at[++k] = $2} $1 == "result" {n = $2; e = $3}
+    END {print at[2] - at[1], at[3] - at[2], at[3] - at[1], m, n, e}' OFMT=%.3f "$folder/output" >>"$1.$3"
 }
 
 # row KIND NAME PROGRAM RATIO
