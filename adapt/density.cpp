@@ -55,7 +55,7 @@ Hessian divided(const Hessian& h, double by) { return {h.xx / by, h.xy / by, h.y
 /// longer column first, so that the smaller one is det R over the larger. (Adding up the squares
 /// would lose all curvatures below 1e-8 of the largest.)
 /// All in units of the largest entry, whose square may underflow.
-PrincipalMetric root_of_squares(std::span<const std::vector<Hessian>> fields, std::size_t v) {
+PrincipalMetric principal_root(std::span<const std::vector<Hessian>> fields, std::size_t v) {
   double unit = 0;
   for (const std::vector<Hessian>& field : fields) unit = std::max(unit, largest_entry(field[v]));
   if (unit == 0) return {0, 0, {1, 0}};
@@ -86,7 +86,7 @@ PrincipalField absolute_sum(std::span<const std::vector<Hessian>> fields,
                             const DensityOptions& options) {
   PrincipalField field(fields[0].size());
 #pragma omp parallel for schedule(static)
-  for (std::size_t v = 0; v < field.size(); ++v) field[v] = root_of_squares(fields, v);
+  for (std::size_t v = 0; v < field.size(); ++v) field[v] = principal_root(fields, v);
   lift_to_floor(field, options.mode, options.curvature_floor);
   return field;
 }
@@ -142,6 +142,11 @@ PrincipalField metric_density(const Mesh& mesh, const FieldHessians& fields,
   require_fields(mesh, fields);
   const bool intersects = options.combination == Combination::intersection && fields.size() > 1;
   return intersects ? intersected(mesh, fields, options) : density_of(fields, options);
+}
+
+Hessian root_of_squares(const FieldHessians& fields, std::size_t v) {
+  const Metric m = metric_of(principal_root(fields, v));
+  return {m.m11, m.m12, m.m22};
 }
 
 FieldHessians hessians_of(const Mesh& mesh, std::span<const double> values, int components,

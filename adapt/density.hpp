@@ -23,7 +23,9 @@ struct DensityOptions {
   MetricNorm norm = MetricNorm::lp;
   double p = 2;
   Combination combination = Combination::sum_of_squares;
-  double curvature_floor = 1e-6;  ///< smallest curvature as a share of the largest
+  /// Smallest curvature as a share of the largest. Layers have 1 / width^2 times the curvature of
+  /// smooth parts: 1e6 in a plate with t = .001.
+  double curvature_floor = 1e-8;
 };
 
 /// Hessians of several fields: fields[c][v] at vertex v. A first-order solution gives its own
@@ -44,6 +46,10 @@ using FieldHessians = std::vector<std::vector<Hessian>>;
 /// (naming field and place), or when p or the floor are out of range (p >= 1, 0 < floor < 1).
 PrincipalField metric_density(const Mesh& mesh, const FieldHessians& fields,
                               const DensityOptions& options);
+
+/// The symmetric root of sum_c H_c^2 at vertex v: |H| of one field. Precondition: the fields hold a
+/// finite Hessian there.
+Hessian root_of_squares(const FieldHessians& fields, std::size_t v);
 
 /// Hessians of nodal values, `components` per vertex: fit_quadratics(). By default values are
 /// continuous over the interfaces of regions and their slopes are not.

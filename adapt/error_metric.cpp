@@ -144,9 +144,11 @@ double expected_vertices(const Mesh& mesh, const MetricField& field) {
   return vertex_measure(mesh)(mesh, field);
 }
 
-MetricMeasure vertex_measure(const Mesh& mesh) {
-  return [boundary = boundary_edges(mesh)](const Mesh& same, const MetricField& field) {
-    return 1 + 0.5 * (metric_complexity(same, field) + boundary_length(same, boundary, field));
+MetricMeasure vertex_measure(const Mesh& mesh, Elements elements) {
+  return [boundary = boundary_edges(mesh), elements](const Mesh& same, const MetricField& field) {
+    const double inside = elements == Elements::triangle ? 0.5 * metric_complexity(same, field)
+                                                         : complexity(same, field);
+    return 1 + inside + 0.5 * boundary_length(same, boundary, field);
   };
 }
 

@@ -8,6 +8,7 @@
 #include "adapt/hessian.hpp"
 #include "mesher/mesh/mesh.hpp"
 #include "mesher/metric/metric_field.hpp"
+#include "mesher/quads/quad_options.hpp"
 
 namespace anisofront {
 
@@ -61,15 +62,16 @@ PrincipalMetric limited(PrincipalMetric m, const MetricLimits& limits);
 /// Integral of sqrt(det M) over the mesh: the continuous number of elements N.
 double complexity(const Mesh& mesh, const MetricField& field);
 
-/// Vertices of a unit mesh of the domain: by Euler's formula half the ideal triangles, half the
-/// boundary edges and one (about 1.15 N and half the boundary).
+/// Vertices of a unit mesh of triangles on the domain: by Euler's formula half the ideal triangles,
+/// half the boundary edges and one (about 1.15 N and half the boundary).
 double expected_vertices(const Mesh& mesh, const MetricField& field);
 
 /// What is to be prescribed when a metric is scaled: complexity() or expected_vertices().
 using MetricMeasure = std::function<double(const Mesh&, const MetricField&)>;
 
-/// expected_vertices() of this mesh, whose boundary is looked up once (a third of the time).
-MetricMeasure vertex_measure(const Mesh& mesh);
+/// Vertices of a unit mesh of these elements on the domain of this mesh, whose boundary is looked
+/// up once (a third of the time). Mixed meshes count as quadrilaterals.
+MetricMeasure vertex_measure(const Mesh& mesh, Elements elements = Elements::triangle);
 
 /// factor * density, intersected with `beside` (one metric per vertex, or none), then limited().
 /// No gradation.

@@ -23,6 +23,18 @@ struct CycleError {
   std::optional<double> effectivity;
 };
 
+/// The quantity of interest J and its estimated error J(u) - J(u_h).
+struct GoalRecord {
+  double value = 0;
+  double error = 0;
+};
+
+/// A number of the solution that users watch: the largest deflection, the value at a place.
+struct NamedValue {
+  std::string name;
+  double value = 0;
+};
+
 /// One row of the history: the mesh that a cycle ended with. Cycle 0 is the initial mesh.
 struct CycleRecord {
   int cycle = 0;
@@ -32,6 +44,8 @@ struct CycleRecord {
   /// Against the exact formula of a prescribed metric.
   std::optional<MeshStatistics> exact;
   CycleError error;
+  std::optional<GoalRecord> goal;
+  std::vector<NamedValue> values;
   CycleSeconds seconds;
   std::vector<std::string> warnings;
 };

@@ -20,6 +20,8 @@ void analyse(const LoopInput& input, Cycle& cycle, const Monitor& monitor) {
   const Analysis& analysis = cycle.analysis;
   cycle.record.dofs = analysis.dofs;
   cycle.record.error = analysis.error;
+  cycle.record.goal = analysis.goal;
+  cycle.record.values = analysis.values;
   cycle.record.seconds.solve = analysis.solve_seconds;
   cycle.record.seconds.estimate = analysis.estimate_seconds;
   cycle.record.seconds.metric += analysis.metric_seconds;
@@ -57,27 +59,70 @@ Cycle next_cycle(const LoopInput& input, const Cycle& last, const Monitor& monit
   return cycle;
 }
 
-std::string stop_reason(TargetState target, int cycles) {
+/// The last finished cycle of an earlier run as it was when it had just been analysed.
+Cycle resumed_cycle(const LoopInput& input) {
+  Cycle cycle;
+  for (const FinishedCycle& done : input.done) {
+    cycle.mesh = done.mesh;
+    cycle.record = done.record;
+    cycle.analysis = input.analyse(cycle.mesh, cycle.record.cycle);
+  }
+  return cycle;
+}
+
+std::string end_of_cycles(TargetState target, int cycles) {
   const std::string after = " after " + std::to_string(cycles) + " cycles";
   if (target == TargetState::reached) return "target error reached" + after;
   if (target == TargetState::missed) return "target error missed" + after;
   return "finished" + after;
 }
 
+/// The reason to stop after the last recorded cycle, if there is one.
+std::optional<std::string> stop_reason(const LoopInput& input, const VariantHistory& history,
+                                       const Cycle& last) {
+  if (last.record.cycle >= input.cycles || history.target == TargetState::reached)
+    return end_of_cycles(history.target, last.record.cycle);
+  return reason_to_stop(input.stop, history.cycles, last.analysis.next_vertices);
+}
+
+void measure_errors(const LoopInput& input, const std::vector<Mesh>& meshes,
+                    VariantHistory& history) {
+  const std::vector<double> errors = input.measure_errors(meshes);
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    CycleError& error = history.cycles[k].error;
+    error.relative_energy = errors[k];
+    if (error.estimate) error.effectivity = *error.estimate / errors[k];
+  }
+}
+
 }  // namespace
 
 VariantHistory adapt_loop(const LoopInput& input, const Monitor& monitor) {
   VariantHistory history;
-  Cycle cycle = initial_cycle(input, monitor);
-  for (;;) {
-    history.cycles.push_back(cycle.record);
-    if (input.finished) input.finished(cycle.record, cycle.mesh, cycle.analysis);
+  std::vector<Mesh> meshes;
+  for (const FinishedCycle& done : input.done) {
+    history.cycles.push_back(done.record);
+    meshes.push_back(done.mesh);
+  }
+  Cycle cycle = input.done.empty() ? initial_cycle(input, monitor) : resumed_cycle(input);
+  for (bool is_new = input.done.empty();; is_new = true) {
+    if (is_new) {
+      history.cycles.push_back(cycle.record);
+      meshes.push_back(cycle.mesh);
+      if (input.finished) input.finished(cycle.record, cycle.mesh, cycle.analysis);
+    }
     history.target = cycle.analysis.target;
-    if (cycle.record.cycle >= input.cycles || history.target == TargetState::reached) break;
+    if (const auto reason = stop_reason(input, history, cycle)) {
+      history.stop_reason = *reason;
+      break;
+    }
     monitor.report("cycles", static_cast<double>(cycle.record.cycle) / input.cycles);
     cycle = next_cycle(input, cycle, monitor);
   }
-  history.stop_reason = stop_reason(history.target, cycle.record.cycle);
+  if (input.measure_errors) {
+    monitor.report("reference", 1);
+    measure_errors(input, meshes, history);
+  }
   return history;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "adapt/equidistribution.hpp"
 #include "mesher/background/background_mesh.hpp"
 #include "mesher/geometry/error.hpp"
 
@@ -32,9 +33,10 @@ MetricField layer_part(const Mesh& mesh, const LayerFrame& frame, const LayerSet
 }
 
 std::vector<MetricStage> stages_of(const Mesh& mesh, const PrincipalField& density,
-                                   const MetricField& layer, double vertices,
-                                   const MetricLimits& limits, const ScaledMetric& result) {
-  const double alone = scale_metric(mesh, density, vertex_measure(mesh), vertices, {}).factor;
+                                   const MetricField& layer, const MetricMeasure& measure,
+                                   double vertices, const MetricLimits& limits,
+                                   const ScaledMetric& result) {
+  const double alone = scale_metric(mesh, density, measure, vertices, {}).factor;
   std::vector<MetricStage> stages;
   const auto add = [&](const char* name, double factor, std::span<const Metric> beside,
                        const MetricLimits& with) {
@@ -97,17 +99,21 @@ std::string sentence(const std::vector<StageSizes>& stages, double StageSizes::*
 }  // namespace
 
 StagedMetric make_metric(const FeMesh& fe, FieldHessians fields, const LayerSettings& layers,
-                         double vertices, const StageOptions& options) {
+                         double vertices, const StageOptions& options,
+                         const Contributions& contributions) {
   const Mesh& mesh = fe.mesh;
   const LayerFrame frame = layer_frame(fe, layers);
   if (options.align) align_with_layers(frame, layers.reach * layers.width, fields);
-  const PrincipalField density = metric_density(mesh, fields, options.density);
+  PrincipalField density = metric_density(mesh, fields, options.density);
+  if (!contributions.values.empty())
+    equidistribute(mesh, contributions.values, contributions.order, options.limits.stretch,
+                   density);
   const MetricField layer = layer_part(mesh, frame, layers, options);
-  ScaledMetric scaled =
-      scale_metric(mesh, density, vertex_measure(mesh), vertices, options.limits, layer);
+  const MetricMeasure measure = vertex_measure(mesh, options.elements);
+  ScaledMetric scaled = scale_metric(mesh, density, measure, vertices, options.limits, layer);
   StagedMetric result;
   if (options.keep_stages)
-    result.stages = stages_of(mesh, density, layer, vertices, options.limits, scaled);
+    result.stages = stages_of(mesh, density, layer, measure, vertices, options.limits, scaled);
   result.field = std::move(scaled.field);
   result.measure = scaled.measure;
   return result;

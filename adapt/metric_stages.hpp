@@ -21,6 +21,7 @@ struct StageOptions {
   /// both directions, which takes as many vertices as resolving the layer that way does.
   bool use_layer_metric = false;
   bool align = true;
+  Elements elements = Elements::triangle;  ///< that the vertices are counted for
   bool keep_stages = false;
 };
 
@@ -30,8 +31,14 @@ struct StagedMetric {
   std::vector<MetricStage> stages;  ///< in order, when asked for
 };
 
-/// Hessians -> aligned -> density -> scaled (with the layer metric, which keeps its sizes) so that
-/// the metric with all limits on asks for `vertices`. The stages:
+/// What the error estimate says of each element, for equidistribute().
+struct Contributions {
+  std::vector<double> values;  ///< per element; empty: the Hessians alone give the density
+  int order = 1;
+};
+
+/// Hessians -> aligned -> density (equidistributed) -> scaled (with the layer metric, which keeps
+/// its sizes) so that the metric with all limits on asks for `vertices`. The stages:
 ///   "density"        what the error alone asks for: scaled to `vertices` without limits
 ///   "scaled"         the same by the factor that makes up for what the later stages add or take
 ///   "layer"          intersected with layer_metric(); only when it is used
@@ -40,7 +47,8 @@ struct StagedMetric {
 ///   "gradation"      smaller sizes nearby; the final field
 /// Throws InputError as its parts do: layer_frame(), metric_density(), scale_metric().
 StagedMetric make_metric(const FeMesh& mesh, FieldHessians fields, const LayerSettings& layers,
-                         double vertices, const StageOptions& options);
+                         double vertices, const StageOptions& options,
+                         const Contributions& contributions = {});
 
 /// Which stage decided the sizes at a point.
 struct StageSizes {

@@ -14,6 +14,7 @@ void add_solve_command(CLI::App& app, Console& console);
 void add_mesh_command(CLI::App& app, Console& console);
 void add_check_command(CLI::App& app, Console& console, int& exit_code);
 void add_convert_command(CLI::App& app, Console& console);
+void add_metric_command(CLI::App& app, Console& console);
 void add_report_command(CLI::App& app, Console& console);
 
 }  // namespace anisofront

@@ -1,6 +1,7 @@
 #include "drivers/cycle_files.hpp"
 
 #include <algorithm>
+#include <charconv>
 
 #include <spdlog/fmt/fmt.h>
 
@@ -14,24 +15,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void remove_earlier_cycles(const fs::path& folder) {
-  std::vector<fs::path> old;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.path().filename().string().starts_with("cycle")) old.push_back(entry.path());
-  for (const fs::path& path : old) fs::remove(path);
+/// Files know scalars, vectors of 3 components and tensors of 9: plane vectors get a third.
+FileField file_field(const Analysis::Field& field, int cycle) {
+  FileField result{field.name, field.components, field.values, static_cast<double>(cycle), cycle};
+  if (field.components != 2) return result;
+  result.components = 3;
+  result.values.clear();
+  for (std::size_t i = 0; i + 1 < field.values.size(); i += 2)
+    result.values.insert(result.values.end(), {field.values[i], field.values[i + 1], 0});
+  return result;
 }
 
-FileField file_field(const Analysis::Field& field, int cycle) {
-  return {field.name, field.components, field.values, static_cast<double>(cycle), cycle};
+FileField metric_field(const MetricField& metric, const std::string& name, int cycle) {
+  FileField field = metric_file_field(metric);
+  field.name = name;
+  field.time = cycle;
+  field.step = cycle;
+  return field;
 }
 
 MeshFile with_fields(const Mesh& mesh, const Analysis& analysis, int cycle) {
   MeshFile file{mesh, {}, {}};
-  if (!analysis.metric.empty()) {
-    file.vertex_fields.push_back(metric_file_field(analysis.metric));
-    file.vertex_fields.back().time = cycle;
-    file.vertex_fields.back().step = cycle;
-  }
+  if (!analysis.metric.empty())
+    file.vertex_fields.push_back(metric_field(analysis.metric, "metric", cycle));
   for (const auto& field : analysis.vertex_fields)
     file.vertex_fields.push_back(file_field(field, cycle));
   for (const auto& field : analysis.element_fields)
@@ -53,21 +59,67 @@ std::string without_quotes(const std::string& toml) {
   return toml.substr(1, toml.size() - 2);
 }
 
+/// "size limits" -> "size-limits".
+std::string as_file_name(std::string name) {
+  std::replace(name.begin(), name.end(), ' ', '-');
+  return name;
+}
+
+bool asks_for(const std::vector<std::string>& formats, const std::string& format) {
+  return std::find(formats.begin(), formats.end(), format) != formats.end();
+}
+
+/// One file with all stages for Gmsh and ParaView; Medit shows one metric at a time.
+void write_stages(const fs::path& folder, const std::vector<std::string>& formats, int cycle,
+                  const Mesh& mesh, const std::vector<MetricStage>& stages) {
+  MeshFile all{mesh, {}, {}};
+  for (const MetricStage& stage : stages)
+    all.vertex_fields.push_back(metric_field(stage.field, stage.name, cycle));
+  write_mesh_file(folder / fmt::format("cycle-{}-stages.msh", cycle), all);
+  if (asks_for(formats, "vtu"))
+    write_mesh_file(folder / fmt::format("cycle-{}-stages.vtu", cycle), all);
+  if (!asks_for(formats, "mesh")) return;
+  for (const MetricStage& stage : stages)
+    write_mesh_file(folder / fmt::format("cycle-{}-{}.mesh", cycle, as_file_name(stage.name)),
+                    {mesh, {metric_field(stage.field, "metric", cycle)}, {}});
+}
+
+/// What a run that was killed leaves of a file that it was writing (see AtomicFile).
+bool is_half_written(const std::string& name) {
+  return name.starts_with("record.json.part") || name.starts_with("cycles.pvd.part");
+}
+
 }  // namespace
+
+int cycle_of(const std::string& name) {
+  constexpr std::string_view kStem = "cycle-";
+  int cycle = -1;
+  if (name.starts_with(kStem))
+    std::from_chars(name.data() + kStem.size(), name.data() + name.size(), cycle);
+  return cycle;
+}
+
+void remove_cycles(const fs::path& folder, int first) {
+  if (!fs::exists(folder)) return;
+  std::vector<fs::path> old;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (cycle_of(name) >= first || is_half_written(name)) old.push_back(entry.path());
+  }
+  for (const fs::path& path : old) fs::remove(path);
+  if (first == 0) fs::remove(folder / "cycles.pvd");
+}
 
 void write_cycle(const fs::path& folder, const std::vector<std::string>& formats, int cycle,
                  const Mesh& mesh, const Analysis& analysis) {
   make_folder(folder);
-  if (cycle == 0) remove_earlier_cycles(folder);
   MeshFile file = with_fields(mesh, analysis, cycle);
-  const auto asked = [&](const char* format) {
-    return std::find(formats.begin(), formats.end(), format) != formats.end();
-  };
+  if (!analysis.stages.empty()) write_stages(folder, formats, cycle, mesh, analysis.stages);
   for (const char* format : {"msh", "svg", "mesh"})
     // The .msh is always there: the report is made from it.
-    if (asked(format) || std::string_view(format) == "msh")
+    if (asks_for(formats, format) || std::string_view(format) == "msh")
       write_mesh_file(folder / fmt::format("cycle-{}.{}", cycle, format), file);
-  if (!asked("vtu")) return;
+  if (!asks_for(formats, "vtu")) return;
   add_quality_fields(file, analysis.metric, cycle);
   write_mesh_file(folder / fmt::format("cycle-{}.vtu", cycle), file);
   write_text_file(folder / "cycles.pvd", pvd(cycle));
@@ -76,8 +128,8 @@ void write_cycle(const fs::path& folder, const std::vector<std::string>& formats
 std::vector<std::pair<std::string, std::string>> variant_settings(const Variant& variant) {
   const Study& study = variant.study;
   std::vector<std::pair<std::string, std::string>> settings{
-      {"adapt.mode", study.mode == AdaptMode::isotropic ? "isotropic" : "anisotropic"},
-      {"adapt.cycles", std::to_string(study.cycles)},
+      {"adapt.mode", study.adapt.mode == AdaptMode::isotropic ? "isotropic" : "anisotropic"},
+      {"adapt.cycles", std::to_string(study.adapt.cycles)},
       {"mesh.elements", name_of(kElementNames, study.elements)},
       {"mesh.preset", study.preset == Preset::paper ? "paper" : "best"}};
   if (study.elements != Elements::triangle) {
@@ -85,10 +137,10 @@ std::vector<std::pair<std::string, std::string>> variant_settings(const Variant&
     settings.emplace_back("mesh.quad_effort", name_of(kQuadEffortNames, study.quads.effort));
     settings.emplace_back("mesh.quad_start", name_of(kQuadStartNames, study.quads.start));
   }
-  if (study.target.nodes)
-    settings.emplace_back("adapt.target.nodes", std::to_string(*study.target.nodes));
-  if (study.target.error)
-    settings.emplace_back("adapt.target.error", fmt::format("{}", *study.target.error));
+  const Target& target = study.adapt.target;
+  if (target.vertices)
+    settings.emplace_back("adapt.target.nodes", fmt::format("{}", *target.vertices));
+  if (target.error) settings.emplace_back("adapt.target.error", fmt::format("{}", *target.error));
   for (const Override& value : variant.values) {
     const auto same = [&](const auto& setting) { return setting.first == value.key; };
     if (std::none_of(settings.begin(), settings.end(), same))

@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include <spdlog/fmt/fmt.h>
-
 namespace anisofront {
 namespace {
+
+constexpr std::array<const char*, 3> kTargetNames{"none", "missed", "reached"};
 
 Json histogram_json(const MeshStatistics& s) {
   Json bounds = Json::array();
@@ -13,19 +13,32 @@ Json histogram_json(const MeshStatistics& s) {
   return {{"bounds", bounds}, {"counts", s.histogram}};
 }
 
-Json optional_json(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 Json seconds_json(const CycleSeconds& s) {
   return {{"metric", s.metric}, {"front", s.front}, {"enhance", s.enhance},
           {"quads", s.quads},   {"solve", s.solve}, {"estimate", s.estimate}};
 }
 
+Json error_kind(const CycleError& e) {
+  if (e.relative_energy) return "true";
+  return e.estimate ? Json("estimate") : Json(nullptr);
+}
+
 Json error_json(const CycleError& e) {
-  return {{"estimate", optional_json(e.estimate)},
+  return {{"kind", error_kind(e)},
+          {"estimate", optional_json(e.estimate)},
           {"relative_energy", optional_json(e.relative_energy)},
           {"effectivity", optional_json(e.effectivity)}};
+}
+
+Json goal_json(const std::optional<GoalRecord>& goal) {
+  if (!goal) return nullptr;
+  return {{"value", goal->value}, {"error", goal->error}};
+}
+
+Json values_json(const std::vector<NamedValue>& values) {
+  Json json = Json::object();
+  for (const NamedValue& value : values) json[value.name] = value.value;
+  return json;
 }
 
 Json cycle_json(const CycleRecord& record) {
@@ -42,6 +55,8 @@ Json cycle_json(const CycleRecord& record) {
   cycle["scaled_jacobian_min"] = s.scaled_jacobian_min;
   cycle["background"] = statistics_json(record.background, "background");
   cycle["error"] = error_json(record.error);
+  cycle["goal"] = goal_json(record.goal);
+  cycle["values"] = values_json(record.values);
   cycle["seconds"] = seconds_json(record.seconds);
   cycle["warnings"] = record.warnings;
   return cycle;
@@ -53,70 +68,21 @@ Json setting_json(const std::string& value) {
   return parsed.is_discarded() ? Json(value) : parsed;
 }
 
-Json variant_json(const VariantHistory& variant) {
-  Json settings = Json::object();
-  for (const auto& [key, value] : variant.settings) settings[key] = setting_json(value);
-  Json cycles = Json::array();
-  for (const CycleRecord& record : variant.cycles) cycles.push_back(cycle_json(record));
-  return {{"name", variant.name},
-          {"settings", settings},
-          {"cycles", cycles},
-          {"stop_reason", variant.stop_reason}};
+Json settings_json(const std::vector<std::pair<std::string, std::string>>& settings) {
+  Json json = Json::object();
+  for (const auto& [key, value] : settings) json[key] = setting_json(value);
+  return json;
 }
 
-struct Column {
-  const char* name;
-  const char* pointer;
-};
-constexpr std::array<Column, 37> kColumns{
-    {{"cycle", "/cycle"},
-     {"vertices", "/vertices"},
-     {"elements", "/elements"},
-     {"edges", "/edges"},
-     {"boundary_edges", "/boundary_edges"},
-     {"triangles", "/triangles"},
-     {"quads", "/quads"},
-     {"dofs", "/dofs"},
-     {"against", "/quality/against"},
-     {"quality_mean", "/quality/mean"},
-     {"quality_min", "/quality/min"},
-     {"length_min", "/edge_length/min"},
-     {"length_max", "/edge_length/max"},
-     {"percent_0.5_1.5", "/edge_length/in_0.5_1.5"},
-     {"percent_unit_band", "/edge_length/in_unit_band"},
-     {"metric_complexity", "/metric_complexity"},
-     {"angle_min", "/angle/min"},
-     {"angle_max", "/angle/max"},
-     {"scaled_jacobian_min", "/scaled_jacobian_min"},
-     {"background_quality_mean", "/background/quality/mean"},
-     {"background_quality_min", "/background/quality/min"},
-     {"background_length_min", "/background/edge_length/min"},
-     {"background_length_max", "/background/edge_length/max"},
-     {"background_percent_0.5_1.5", "/background/edge_length/in_0.5_1.5"},
-     {"background_percent_unit_band", "/background/edge_length/in_unit_band"},
-     {"background_metric_complexity", "/background/metric_complexity"},
-     {"background_angle_min", "/background/angle/min"},
-     {"background_angle_max", "/background/angle/max"},
-     {"error_estimate", "/error/estimate"},
-     {"error_relative_energy", "/error/relative_energy"},
-     {"effectivity", "/error/effectivity"},
-     {"seconds_metric", "/seconds/metric"},
-     {"seconds_front", "/seconds/front"},
-     {"seconds_enhance", "/seconds/enhance"},
-     {"seconds_quads", "/seconds/quads"},
-     {"seconds_solve", "/seconds/solve"},
-     {"seconds_estimate", "/seconds/estimate"}}};
-
-/// RFC 4180: texts in quotes, quotes doubled; unknown values stay empty.
-std::string csv_field(const Json& value) {
-  if (value.is_null()) return {};
-  if (!value.is_string()) return value.dump();
-  std::string quoted = "\"";
-  for (const char c : value.get<std::string>()) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
+Json sizes_json(const std::optional<double>& vertices, const std::optional<double>& dofs) {
+  return {{"vertices", optional_json(vertices)}, {"dofs", optional_json(dofs)}};
 }
 
 }  // namespace
+
+Json optional_json(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
 
 Json statistics_json(const MeshStatistics& s, const std::string& against) {
   return {{"quality", {{"against", against}, {"mean", s.quality_mean}, {"min", s.quality_min}}},
@@ -128,27 +94,43 @@ Json statistics_json(const MeshStatistics& s, const std::string& against) {
             {"in_unit_band", s.percent_unit},
             {"histogram", histogram_json(s)}}},
           {"angle", {{"against", against}, {"min", s.angle_min}, {"max", s.angle_max}}},
-          {"metric_complexity", s.complexity}};
+          {"metric_complexity", s.complexity},
+          {"stretch_max", s.stretch_max}};
 }
 
-Json history_json(const std::string& title, const std::vector<VariantHistory>& variants) {
+Json variant_json(const VariantHistory& variant, const std::string& key) {
+  Json cycles = Json::array();
+  for (const CycleRecord& record : variant.cycles) cycles.push_back(cycle_json(record));
+  return {{"name", variant.name},
+          {"key", key},
+          {"settings", settings_json(variant.settings)},
+          {"cycles", cycles},
+          {"stop_reason", variant.stop_reason},
+          {"target", kTargetNames.at(static_cast<std::size_t>(variant.target))}};
+}
+
+Json comparison_json(const std::vector<ModeComparison>& comparisons) {
   Json list = Json::array();
-  for (const VariantHistory& variant : variants) list.push_back(variant_json(variant));
-  return {{"schema", 1}, {"title", title}, {"variants", list}};
+  for (const ModeComparison& c : comparisons)
+    list.push_back({{"settings", settings_json(c.settings)},
+                    {"against", c.is_true_error ? "true" : "estimate"},
+                    {"error", c.error},
+                    {"isotropic", sizes_json(c.isotropic.vertices, c.isotropic.dofs)},
+                    {"anisotropic", sizes_json(c.anisotropic.vertices, c.anisotropic.dofs)},
+                    {"ratio", sizes_json(size_ratio(c.anisotropic.vertices, c.isotropic.vertices),
+                                         size_ratio(c.anisotropic.dofs, c.isotropic.dofs))}});
+  return list;
 }
 
-std::string history_csv(const Json& history) {
-  std::string csv = "variant";
-  for (const Column& column : kColumns) csv += fmt::format(",{}", column.name);
-  csv += '\n';
-  for (const Json& variant : history["variants"])
-    for (const Json& cycle : variant["cycles"]) {
-      csv += csv_field(variant["name"]);
-      for (const Column& column : kColumns)
-        csv += "," + csv_field(cycle[Json::json_pointer(column.pointer)]);
-      csv += '\n';
-    }
-  return csv;
+Json history_json(const std::string& title, const std::vector<VariantHistory>& variants,
+                  const std::vector<std::string>& keys) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < variants.size(); ++i)
+    list.push_back(variant_json(variants[i], i < keys.size() ? keys[i] : std::string()));
+  return {{"schema", 1},
+          {"title", title},
+          {"variants", list},
+          {"comparison", comparison_json(compare_modes(variants))}};
 }
 
 }  // namespace anisofront

@@ -1,9 +1,10 @@
 #include "drivers/loop_input.hpp"
 
-#include <algorithm>
-
+#include "adapt/reference_errors.hpp"
+#include "drivers/adapt_setup.hpp"
 #include "drivers/prescribed_metric.hpp"
-#include "drivers/scalar_setup.hpp"
+#include "drivers/sample_points.hpp"
+#include "drivers/study_model.hpp"
 #include "mesher/io/mesh_io.hpp"
 #include "mesher/mesh/check.hpp"
 
@@ -12,59 +13,55 @@ namespace {
 
 /// Two triangles that cover the domain with room to spare.
 Mesh box_around(const Domain& domain) {
-  Point low = domain.curves.front().curve.points.front(), high = low;
-  // A NURBS curve lies in the convex hull of its control points.
-  for (const DomainCurve& curve : domain.curves)
-    for (const Point p : curve.curve.points) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-  const Vector margin = 0.01 * norm(high - low) * Vector{1, 1};
-  low = low - margin;
-  high = high + margin;
-  Mesh box;
-  box.points = {low, {high.x, low.y}, high, {low.x, high.y}};
-  box.triangles = {{0, 1, 2}, {0, 2, 3}};
-  box.triangle_regions = {1, 1};
-  return box;
+  const Box box = control_box(domain);
+  const Vector margin = 0.01 * norm(box.high - box.low) * Vector{1, 1};
+  const Point low = box.low - margin, high = box.high + margin;
+  Mesh mesh;
+  mesh.points = {low, {high.x, low.y}, high, {low.x, high.y}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  mesh.triangle_regions = {1, 1};
+  return mesh;
 }
 
-AdaptSettings adapt_settings(const Study& study) {
-  AdaptSettings settings;
-  settings.mode = study.mode;
-  if (study.target.nodes) settings.target_vertices = *study.target.nodes;
-  settings.target_error = study.target.error;
-  settings.limits = study.limits;
-  settings.limits.gradation = study_options(study).gradation;
-  return settings;
+bool has_problem(const Study& study) { return study.problem || study.plate; }
+
+void require_target(const Study& study) {
+  const Target& target = study.adapt.target;
+  if (study.metric || target.vertices || target.error) return;
+  throw UsageError((study.plate ? study.plate->place : study.problem->place) +
+                   ": cycles need adapt.target = { nodes = 1000 } or { error = 0.01 }; for one "
+                   "mesh: anisofront solve " +
+                   study.file.string());
 }
 
-/// What cycles cannot adapt yet, one solve can.
-void require_adaptable(const Study& study) {
-  const auto refuse = [&](const std::string& place, const std::string& what) {
-    throw UsageError(place + ": " + what + ": anisofront solve " + study.file.string());
-  };
-  if (study.plate) refuse(study.plate->place, "plates are solved on one mesh so far");
-  if (!study.problem) return;
-  const std::string& place = study.problem->place;
-  if (study.problem->order != 1)
-    refuse(place + ".order", "cycles are run with order 1 so far; for one mesh");
-  if (study.elements != Elements::triangle)
-    refuse(place, "cycles of a [problem] are run on triangles so far; for one mesh of others");
-  if (!study.target.nodes && !study.target.error)
-    refuse(place, "cycles need adapt.target = { nodes = 1000 } or { error = 0.01 }; for one mesh");
+/// Cycles start from triangles, but for the one element that cannot.
+InitialElements first_elements(const Study& study) {
+  const bool is_mitc4 = study.plate && study.plate->element == PlateElement::mitc4;
+  return is_mitc4 ? InitialElements::as_in_study : InitialElements::triangles;
 }
 
-void set_purpose(const Study& study, LoopInput& input) {
+/// Places where values are asked for must lie in the domain.
+void require_points(const Study& study, const Start& start) {
+  if (has_problem(study))
+    locate_requests(study.output, start.domain, curved_fe_mesh(start.mesh, start.domain));
+}
+
+/// Analysis and true errors.
+void set_purpose(const Study& study, const Monitor& monitor, LoopInput& input) {
+  const AdaptSettings settings = adapt_settings(study, input.domain);
+  const Model model = has_problem(study) ? study_model(study, input.domain, monitor) : Model{};
   if (study.metric) {
     // One copy to sample, one for the statistics: the same compiled expressions.
-    input.exact_metric = prescribed_metric(*study.metric, input.domain, study.limits);
-    input.analyse = analyse_prescribed(input.exact_metric, input.generate.gradation);
-    return;
+    const MetricLimits limits = prescribed_limits(study);
+    input.exact_metric = prescribed_metric(*study.metric, input.domain, limits);
+    input.analyse = analyse_prescribed(input.exact_metric, limits.gradation, model, input.domain);
+  } else {
+    input.analyse = analyse_model(model, input.domain, settings);
   }
-  const auto exact = known_solution(*study.problem);
-  input.analyse = analyse_scalar(scalar_problem(*study.problem, input.domain, exact), exact,
-                                 adapt_settings(study));
+  if (study.adapt.reference)
+    input.measure_errors =
+        errors_against_reference(reference_model(study, input.domain), input.domain, settings,
+                                 input.generate, {study.adapt.reference->nodes}, monitor);
 }
 
 }  // namespace
@@ -72,8 +69,7 @@ void set_purpose(const Study& study, LoopInput& input) {
 GenerateOptions study_options(const Study& study) {
   GenerateOptions options = generate_options(study.preset);
   options.interpolation = study.interpolation;
-  if (study.preset == Preset::best)
-    options.gradation = study.gradation;  // the paper limits nothing
+  options.gradation = prescribed_limits(study).gradation;
   options.elements = study.elements;
   options.quads = study.quads;
   options.max_elements = study.max_elements;
@@ -117,15 +113,17 @@ Start study_start(const Study& study, InitialElements elements, const Monitor& m
 }
 
 LoopInput loop_input(const Study& study, const Monitor& monitor) {
-  require_adaptable(study);
-  Start start = study_start(study, InitialElements::triangles, monitor);
+  require_target(study);
+  Start start = study_start(study, first_elements(study), monitor);
+  require_points(study, start);
   LoopInput input;
   input.domain = std::move(start.domain);
   input.initial = std::move(start.mesh);
-  input.cycles = study.cycles;
+  input.cycles = study.adapt.cycles;
+  input.stop = study.adapt.stop;
   input.generate = study_options(study);
-  set_purpose(study, input);
   input.generate.gradation = 0;  // the analysis limits the metric, so that the history sees it
+  set_purpose(study, monitor, input);
   return input;
 }
 

@@ -8,8 +8,8 @@
 namespace anisofront {
 
 /// Everything a study says, ready for adapt_loop(): reads or makes the initial mesh, compiles the
-/// expressions. `finished` stays empty. Throws UsageError (also for what only one solve on one mesh
-/// can do so far), InputError and what generate() throws.
+/// expressions. `finished` stays empty. Throws UsageError (also for a problem without a target),
+/// InputError and what generate() throws.
 LoopInput loop_input(const Study& study, const Monitor& monitor = {});
 
 /// A mesh file whose mesh can be remeshed (require_usable).

@@ -3,6 +3,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "drivers/adapt_setup.hpp"
 #include "drivers/command_line.hpp"
 #include "drivers/commands.hpp"
 #include "drivers/loop_input.hpp"
@@ -68,7 +69,8 @@ MetricField study_metric(const Study& study, const Start& start) {
     throw UsageError(study.file.string() +
                      ": has no [metric]; give --metric or --size, or solve it with `run` or "
                      "`solve`");
-  const MetricFunction metric = prescribed_metric(*study.metric, start.domain, study.limits);
+  const MetricFunction metric =
+      prescribed_metric(*study.metric, start.domain, prescribed_limits(study));
   MetricField field;
   for (const Point p : start.mesh.points) field.push_back(metric(p));
   return field;

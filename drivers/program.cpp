@@ -24,17 +24,27 @@ std::vector<std::string> known_words(const CLI::App& app) {
   return words;
 }
 
+/// The innermost command that was given: `explain` of `metric explain`.
+const CLI::App& used_command(const CLI::App& app) {
+  const auto used = app.get_subcommands();
+  return used.empty() ? app : used_command(*used.front());
+}
+
+/// "anisofront metric explain".
+std::string full_name(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  return parent == nullptr ? command.get_name() : full_name(*parent) + " " + command.get_name();
+}
+
 /// CLI11's message, and for words it does not know the nearest one.
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
-  const auto used = app.get_subcommands();
-  const CLI::App& command = used.empty() ? app : *used.front();
+  const CLI::App& command = used_command(app);
   std::string message = error.what();
   for (const std::string& word : app.remaining(true)) {
     const std::string name = word.substr(0, word.find('='));
     return "unknown argument \"" + name + "\"" + name_proposal(name, known_words(command));
   }
-  return message + " (anisofront " + (used.empty() ? "" : command.get_name() + " ") +
-         "--help shows what is known)";
+  return message + " (" + full_name(command) + " --help shows what is known)";
 }
 
 int parse_and_run(CLI::App& app, int argc, char** argv, std::ostream& out, Console& console,
@@ -64,6 +74,7 @@ int run_program(int argc, char** argv, std::ostream& out, std::ostream& err) {
   add_mesh_command(app, console);
   add_check_command(app, console, exit_code);
   add_convert_command(app, console);
+  add_metric_command(app, console);
   add_report_command(app, console);
   app.footer(
       "Exit codes: 0 done, 1 target missed, 2 failed, 3 usage or study file,\n"

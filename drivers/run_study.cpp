@@ -1,127 +1,81 @@
 #include "drivers/run_study.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <optional>
 #include <thread>
 
 #include <spdlog/fmt/fmt.h>
 
-#include "adapt/loop.hpp"
-#include "drivers/cycle_files.hpp"
+#include "drivers/history_csv.hpp"
 #include "drivers/loop_input.hpp"
 #include "drivers/report.hpp"
-#include "drivers/summary.hpp"
+#include "drivers/result_tables.hpp"
 #include "drivers/text.hpp"
+#include "drivers/variant_run.hpp"
 
 namespace anisofront {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// What came out of one variant: finished cycles, and the error that ended it, if any.
-struct Outcome {
-  VariantHistory history;
-  std::optional<ErrorKind> failure;
-};
+using State = EarlierRun::State;
 
-/// Counts finished cycles of all variants for the progress bar.
-struct Progress {
-  std::atomic<int> finished{0};
-  int total = 1;
-  double fraction() const { return static_cast<double>(finished) / total; }
-};
+std::size_t cycle_count(const EarlierRun& earlier) { return earlier.record.history.cycles.size(); }
 
-class VariantRun {
- public:
-  VariantRun(const Variant& variant, const RunOptions& options, Console& console,
-             Progress& progress)
-      : variant_(variant), options_(options), console_(console), progress_(progress) {}
-
-  Outcome run(LoopInput input) {
-    outcome_.history.name = variant_.name;
-    outcome_.history.settings = variant_settings(variant_);
-    input.finished = [this](const CycleRecord& record, const Mesh& mesh, const Analysis& analysis) {
-      finish_cycle(record, mesh, analysis);
-    };
-    try {
-      const VariantHistory history = adapt_loop(input, monitor());
-      outcome_.history.stop_reason = history.stop_reason;
-      outcome_.history.target = history.target;
-    } catch (const Error& error) {
-      fail(error.kind(), error.what());
-    } catch (const std::bad_alloc&) {
-      fail(ErrorKind::budget, "out of memory");
-    } catch (const std::exception& error) {
-      fail(ErrorKind::failed, error.what());
-    }
-    return std::move(outcome_);
-  }
-
- private:
-  void fail(ErrorKind kind, const std::string& message) {
-    outcome_.failure = kind;
-    outcome_.history.stop_reason =
-        kind == ErrorKind::interrupted ? "interrupted" : "failed: " + message;
-    if (kind != ErrorKind::interrupted) console_.error(variant_.name + ": " + message);
-  }
-
-  void finish_cycle(const CycleRecord& record, const Mesh& mesh, const Analysis& analysis) {
-    CycleRecord kept = record;
-    for (const std::string& warning : warnings_)
-      if (std::find(kept.warnings.begin(), kept.warnings.end(), warning) == kept.warnings.end())
-        kept.warnings.push_back(warning);
-    warnings_.clear();
-    write_cycle(options_.directory / variant_.name, variant_.study.output.formats, record.cycle,
-                mesh, analysis);
-    outcome_.history.cycles.push_back(std::move(kept));
-    ++progress_.finished;
-    console_.detail(fmt::format("{}: cycle {}: {} vertices, {} elements", variant_.name,
-                                record.cycle, record.background.vertices,
-                                record.background.elements));
-  }
-
-  Monitor monitor() {
-    Monitor monitor;
-    monitor.warn = [this](const std::string& message) {
-      warnings_.push_back(message);
-      console_.warn(variant_.name + ": " + message);
-    };
-    monitor.progress = [this](std::string_view phase, double) {
-      console_.progress(fmt::format("{} cycle {}/{} {}", variant_.name,
-                                    outcome_.history.cycles.size(), variant_.study.cycles, phase),
-                        progress_.fraction());
-      return !options_.cancelled();
-    };
-    return monitor;
-  }
-
-  const Variant& variant_;
-  const RunOptions& options_;
-  Console& console_;
-  Progress& progress_;
-  Outcome outcome_;
-  std::vector<std::string> warnings_;  ///< since the last finished cycle
-};
-
-std::vector<LoopInput> prepare(const StudyFile& study, Console& console) {
-  std::vector<LoopInput> inputs;
-  for (const Variant& variant : study.variants)
-    inputs.push_back(loop_input(variant.study, console.monitor(variant.name)));
-  return inputs;
+/// What is done with the earlier results, in words; empty when there are none.
+std::string what_happens(const EarlierRun& earlier, EarlierResults use) {
+  if (earlier.state == State::finished)
+    return "finished by an earlier run with the same settings; --fresh runs it again";
+  if (earlier.state == State::other_settings)
+    return "the results in the folder have other settings; runs anew";
+  if (earlier.state == State::none) return {};
+  const std::size_t last = cycle_count(earlier) - 1;
+  if (use == EarlierResults::resume) return fmt::format("goes on after cycle {}", last);
+  return fmt::format("an earlier run was not finished; runs anew (--resume goes on after cycle {})",
+                     last);
 }
 
-std::vector<Outcome> run_variants(const StudyFile& study, std::vector<LoopInput> inputs,
-                                  const RunOptions& options, Console& console) {
-  std::vector<Outcome> outcomes(inputs.size());
+EarlierRun usable_earlier_run(const VariantJob& job, const std::string& key,
+                              const RunOptions& options, Console& console) {
+  EarlierRun earlier;
+  if (options.earlier != EarlierResults::ignore) earlier = read_earlier_run(job.folder, key);
+  if (!earlier.damage.empty())
+    console.warn(fmt::format("{}: {}: {} complete cycles before it can be used", job.variant->name,
+                             earlier.damage, cycle_count(earlier)));
+  const std::string text = what_happens(earlier, options.earlier);
+  if (!text.empty()) console.say(job.variant->name + ": " + text);
+  const bool is_used =
+      earlier.state == State::finished ||
+      (earlier.state == State::unfinished && options.earlier == EarlierResults::resume);
+  if (!is_used) earlier = {};
+  earlier.record.key = key;
+  return earlier;
+}
+
+std::vector<VariantJob> prepare(const StudyFile& study, const RunOptions& options,
+                                Console& console) {
+  std::vector<VariantJob> jobs;
+  for (const Variant& variant : study.variants) {
+    VariantJob job{&variant, options.directory / variant.name, {}, {}};
+    job.earlier = usable_earlier_run(job, variant_key(study, variant), options, console);
+    if (job.earlier.state != State::finished)
+      job.input = loop_input(variant.study, console.monitor(variant.name));
+    jobs.push_back(std::move(job));
+  }
+  return jobs;
+}
+
+std::vector<Outcome> run_jobs(std::vector<VariantJob> jobs, const RunOptions& options,
+                              Console& console) {
+  std::vector<Outcome> outcomes(jobs.size());
   Progress progress;
   progress.total = 0;
-  for (const LoopInput& input : inputs) progress.total += input.cycles + 1;
+  for (const VariantJob& job : jobs)
+    progress.total +=
+        job.input ? job.input->cycles + 1 : static_cast<int>(cycle_count(job.earlier));
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
-    for (std::size_t i = next++; i < inputs.size(); i = next++)
-      outcomes[i] =
-          VariantRun(study.variants[i], options, console, progress).run(std::move(inputs[i]));
+    for (std::size_t i = next++; i < jobs.size(); i = next++)
+      outcomes[i] = run_variant(std::move(jobs[i]), options.cancelled, console, progress);
   };
   std::vector<std::jthread> helpers;
   for (int i = 1; i < options.threads; ++i) helpers.emplace_back(work);
@@ -131,18 +85,37 @@ std::vector<Outcome> run_variants(const StudyFile& study, std::vector<LoopInput>
   return outcomes;
 }
 
+/// The words of reason_to_stop() for a budget.
+bool is_budget_stop(const VariantHistory& history) {
+  return history.stop_reason.starts_with("budget");
+}
+
 int exit_code(const std::vector<Outcome>& outcomes) {
-  int code = 0;
+  int failure = 0;
+  bool has_budget_stop = false, has_missed = false;
   for (const Outcome& outcome : outcomes) {
     if (outcome.failure == ErrorKind::interrupted) return static_cast<int>(ErrorKind::interrupted);
-    if (outcome.failure && code <= 1) code = static_cast<int>(*outcome.failure);
-    if (outcome.history.target == TargetState::missed && code == 0) code = 1;
+    if (outcome.failure && failure == 0) failure = static_cast<int>(*outcome.failure);
+    has_budget_stop = has_budget_stop || is_budget_stop(outcome.history);
+    has_missed = has_missed || outcome.history.target == TargetState::missed;
   }
-  return code;
+  if (failure != 0) return failure;
+  if (has_budget_stop) return static_cast<int>(ErrorKind::budget);
+  return has_missed ? 1 : 0;
+}
+
+void write_tables(const Json& history, const fs::path& directory) {
+  write_text_file(directory / "history.json",
+                  history.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_text_file(directory / "history.csv", history_csv(history));
+  fs::remove(directory / "comparison.csv");
+  if (!history["comparison"].empty())
+    write_text_file(directory / "comparison.csv", comparison_csv(history));
 }
 
 void write_results(const StudyFile& study, const std::vector<Outcome>& outcomes,
-                   const fs::path& directory, Console& console) {
+                   const std::vector<std::string>& keys, const fs::path& directory,
+                   Console& console) {
   std::vector<VariantHistory> variants;
   bool has_cycles = false;
   for (const Outcome& outcome : outcomes) {
@@ -150,26 +123,33 @@ void write_results(const StudyFile& study, const std::vector<Outcome>& outcomes,
     has_cycles = has_cycles || !outcome.history.cycles.empty();
   }
   if (!has_cycles) return;
-  const Json history = history_json(study.title, variants);
+  const Json history = history_json(study.title, variants, keys);
   write_text_file(directory / "study.toml", study.resolved);
-  write_text_file(directory / "history.json",
-                  history.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
-  write_text_file(directory / "history.csv", history_csv(history));
+  write_tables(history, directory);
   for (const std::string& problem : make_report(directory)) console.warn(problem);
-  console.say(as_text(summary_table(history)));
+  console.say(console_summary(history));
   console.say("results in " + directory.string() +
               ", page: " + (directory / "report.html").string());
+}
+
+void explain_exit_code(int code, Console& console) {
+  if (code == 1) console.warn("the target error was missed; see stop_reason in history.json");
+  if (code == static_cast<int>(ErrorKind::budget))
+    console.warn("a budget was reached; see stop_reason in history.json");
+  if (code == static_cast<int>(ErrorKind::interrupted))
+    console.warn("interrupted; finished cycles are kept, --resume goes on from them");
 }
 
 }  // namespace
 
 int run_study(const StudyFile& study, const RunOptions& options, Console& console) {
-  std::vector<LoopInput> inputs = prepare(study, console);
-  const std::vector<Outcome> outcomes = run_variants(study, std::move(inputs), options, console);
-  write_results(study, outcomes, options.directory, console);
+  std::vector<VariantJob> jobs = prepare(study, options, console);
+  std::vector<std::string> keys;
+  for (const VariantJob& job : jobs) keys.push_back(job.earlier.record.key);
+  const std::vector<Outcome> outcomes = run_jobs(std::move(jobs), options, console);
+  write_results(study, outcomes, keys, options.directory, console);
   const int code = exit_code(outcomes);
-  if (code == 1) console.warn("the target error was missed; see stop_reason in history.json");
-  if (code == 130) console.warn("interrupted; finished cycles are kept");
+  explain_exit_code(code, console);
   return code;
 }
 

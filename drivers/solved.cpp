@@ -1,5 +1,7 @@
 #include "drivers/solved.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 namespace anisofront {
 
 LinearOptions linear_options(const SolverSettings& settings) {
@@ -8,6 +10,14 @@ LinearOptions linear_options(const SolverSettings& settings) {
   options.method = settings.method;
   options.memory_limit = settings.memory * kBytesPerGiB;
   return options;
+}
+
+Json estimate_json(const ErrorEstimate& estimate) {
+  return {{"energy", estimate.error}, {"relative_energy", estimate.relative()}};
+}
+
+std::string estimate_text(const Json& estimate) {
+  return fmt::format("{:.4g} of the energy norm", estimate["relative_energy"].get<double>());
 }
 
 FileField vector_field(std::string name, const std::vector<Vector>& vectors) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "adapt/energy_estimate.hpp"
 #include "adapt/point_location.hpp"
 #include "drivers/history_json.hpp"
 #include "drivers/study.hpp"
@@ -40,6 +41,10 @@ Solved solve_plate_study(const Study& study, const Domain& domain, const FeMesh&
 
 /// The [solver] table as options.
 LinearOptions linear_options(const SolverSettings& settings);
+
+/// Error of the solution as recovered stresses see it: for solution.json, and of it for people.
+Json estimate_json(const ErrorEstimate& estimate);
+std::string estimate_text(const Json& estimate);
 
 /// A field of vectors as mesh files have it: three components, the last 0.
 FileField vector_field(std::string name, const std::vector<Vector>& vectors);

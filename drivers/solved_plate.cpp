@@ -55,7 +55,8 @@ Json reactions_of(const PlateSolution& solution, const Domain& domain) {
   return reactions;
 }
 
-Json totals_of(const PlateSolution& solution, const Domain& domain) {
+Json totals_of(const PlateRun& run, const Domain& domain) {
+  const PlateSolution& solution = run.solution;
   return {{"energy",
            {{"bending", solution.energy.bending},
             {"shear", solution.energy.shear},
@@ -63,7 +64,7 @@ Json totals_of(const PlateSolution& solution, const Domain& domain) {
           {"work", solution.work},
           {"load", solution.load},
           {"reactions", reactions_of(solution, domain)},
-          {"estimate", nullptr}};
+          {"estimate", estimate_json(estimate_by_recovery(run.mesh, run.problem, solution))}};
 }
 
 std::vector<std::pair<std::string, std::string>> summary_of(const Json& totals) {
@@ -72,6 +73,7 @@ std::vector<std::pair<std::string, std::string>> summary_of(const Json& totals) 
       {"energy", fmt::format("{:.8g} (bending {:.6g}, shear {:.6g}); half the work {:.8g}",
                              energy["total"].get<double>(), energy["bending"].get<double>(),
                              energy["shear"].get<double>(), totals["work"].get<double>())},
+      {"estimate", estimate_text(totals["estimate"])},
       {"load", fmt::format("{:.8g}", totals["load"].get<double>())}};
   for (const Json& reaction : totals["reactions"]) {
     if (reaction["force"] == 0.) continue;
@@ -110,7 +112,7 @@ Solved solve_plate_study(const Study& study, const Domain& domain, const FeMesh&
   solved.along = components_along;
   solved.vertex_fields = fields_of(*run);
   solved.settings = {{"element", name_of(kPlateElementNames, study.plate->element)}};
-  solved.totals = totals_of(run->solution, domain);
+  solved.totals = totals_of(*run, domain);
   solved.summary = summary_of(solved.totals);
   solved.linear = run->solution.linear;
   solved.assembly_seconds = run->solution.assembly_seconds;

@@ -3,7 +3,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "adapt/estimate.hpp"
 #include "drivers/domain_names.hpp"
 #include "drivers/element_patch.hpp"
 #include "drivers/scalar_setup.hpp"
@@ -60,13 +59,8 @@ std::vector<FileField> fields_of(const ScalarRun& run) {
   return fields;
 }
 
-/// Of linear triangles; that of the others is not estimated yet.
 Json estimate_of(const ScalarRun& run) {
-  if (run.solution.field.order != 1 || !run.mesh.mesh.quads.empty()) return nullptr;
-  const std::vector<double> u = vertex_values(run);
-  const auto estimate =
-      estimate_energy_error(run.mesh.mesh, run.problem, u, fit_quadratics(run.mesh.mesh, u));
-  return {{"energy", estimate.error}, {"relative_energy", estimate.relative()}};
+  return estimate_json(estimate_by_recovery(run.mesh, run.problem, run.solution.field));
 }
 
 Json error_of(const ScalarRun& run) {
@@ -97,14 +91,12 @@ std::vector<std::pair<std::string, std::string>> summary_of(const Json& totals) 
   std::vector<std::pair<std::string, std::string>> lines;
   lines.emplace_back("energy", fmt::format("{:.8g} = int a |grad u|^2 + c u^2",
                                            totals["squared_energy"].get<double>()));
-  const Json &error = totals["error"], &estimate = totals["estimate"];
+  const Json& error = totals["error"];
   if (error.is_object())
     lines.emplace_back(
         "error", fmt::format("{:.4g} of the energy norm, {:.4g} in L2",
                              error["relative_energy"].get<double>(), error["l2"].get<double>()));
-  if (estimate.is_object())
-    lines.emplace_back("estimate", fmt::format("{:.4g} of the energy norm",
-                                               estimate["relative_energy"].get<double>()));
+  lines.emplace_back("estimate", estimate_text(totals["estimate"]));
   for (const Json& flux : totals["fluxes"])
     lines.emplace_back("flux", fmt::format("{:.8g} out through {}", flux["flux"].get<double>(),
                                            flux["curve"].get<std::string>()));

@@ -82,43 +82,6 @@ void read_mesh(TomlTable& root, Study& study) {
     table.fail({}, "needs an initial mesh: initial = \"FILE\" or initial_size = SIZE");
 }
 
-void read_target(TomlTable& adapt, Study& study) {
-  auto table = adapt.table("target");
-  if (!table) return;
-  study.target.error = table->positive("error");
-  study.target.nodes = table->integer("nodes");
-  if (study.target.nodes == Index{0}) table->fail("nodes", "must be positive");
-  table->finish();
-}
-
-void read_limits(TomlTable& adapt, Study& study) {
-  auto table = adapt.table("limits");
-  if (!table) return;
-  MetricLimits& limits = study.limits;
-  limits.hmin = table->positive("hmin").value_or(limits.hmin);
-  limits.hmax = table->positive("hmax").value_or(limits.hmax);
-  limits.stretch = table->positive("stretch").value_or(limits.stretch);
-  study.gradation = table->positive("gradation").value_or(0);
-  if (limits.hmin > limits.hmax)
-    table->fail("hmin", fmt::format("{} is larger than hmax = {}", limits.hmin, limits.hmax));
-  if (limits.stretch < 1) table->fail("stretch", "is a ratio of sizes and must be at least 1");
-  if (study.gradation > 0 && study.gradation <= 1)
-    table->fail("gradation", "is a ratio of sizes and must be larger than 1");
-  table->finish();
-}
-
-void read_adapt(TomlTable& root, Study& study) {
-  auto table = root.table("adapt");
-  if (!table) return;
-  study.cycles = table->integer("cycles").value_or(study.cycles);
-  if (study.cycles > 1000) table->fail("cycles", "more than 1000 cycles");
-  const std::string mode = table->choice("mode", {"anisotropic", "isotropic"}, "anisotropic");
-  study.mode = mode == "isotropic" ? AdaptMode::isotropic : AdaptMode::anisotropic;
-  read_target(*table, study);
-  read_limits(*table, study);
-  table->finish();
-}
-
 void read_problem(TomlTable& root, Study& study) {
   auto table = root.table("problem");
   if (!table) return;
@@ -151,8 +114,8 @@ std::string fitting_row(TomlTable& table, const std::string& key, const Study& s
   }
   TomlTable rows = *table.table(key);
   const std::pair<const char*, bool> entries[] = {
-      {"isotropic", study.mode == AdaptMode::isotropic},
-      {"anisotropic", study.mode == AdaptMode::anisotropic},
+      {"isotropic", study.adapt.mode == AdaptMode::isotropic},
+      {"anisotropic", study.adapt.mode == AdaptMode::anisotropic},
       {"triangle", study.elements == Elements::triangle},
       {"quadrilateral", study.elements == Elements::quadrilateral}};
   std::string fitting;
@@ -188,17 +151,31 @@ void check_plate_element(TomlTable& root, const Study& study) {
                                 "arnold-falk is for triangles; write mesh.elements = \"triangle\"");
 }
 
+/// What a prescribed metric decides itself.
+void check_prescribed(TomlTable& adapt, const Study& study, bool has_problem) {
+  if (study.adapt.target.vertices || study.adapt.target.error)
+    adapt.fail("target",
+               "a prescribed [metric] says itself how fine the mesh is; leave target out");
+  if (has_problem) return;
+  for (const std::string& key : keys_for_problems())
+    if (adapt.has(key)) adapt.fail(key, "is about the error of a [problem], and there is none");
+}
+
+void check_adapt(TomlTable& root, const Study& study, bool has_problem) {
+  auto adapt = root.table("adapt");
+  if (!adapt) return;
+  if (study.metric) check_prescribed(*adapt, study, has_problem);
+  if (study.adapt.reference && study.problem && !study.problem->exact.empty())
+    adapt->fail("reference", "the exact solution is known; leave one of reference and exact out");
+  if (study.adapt.goal && study.problem && study.problem->has_convection())
+    adapt->fail("goal", "errors of goals are estimated for problems without velocity only");
+}
+
 void check_purpose(TomlTable& root, const Study& study) {
   const bool has_problem = study.problem || study.plate;
-  if (study.metric && has_problem)
-    root.fail("problem", "a study has either a [metric] or a [problem], not both");
   if (!study.metric && !has_problem)
     root.fail({}, "a study needs a [metric] table (prescribed sizes) or a [problem] table");
-  if (study.target.nodes && study.target.error)
-    root.fail("adapt",
-              "a problem has one of target = { nodes = 1000 } and target = { error = 0.01 }");
-  if (study.metric && (study.target.nodes || study.target.error))
-    root.fail("adapt", "a prescribed [metric] says itself how fine the mesh is; leave target out");
+  check_adapt(root, study, has_problem);
 }
 
 }  // namespace
@@ -210,8 +187,8 @@ Study parse_study(const toml::table& table, const fs::path& file) {
   study.title = root.text("title").value_or(file.stem().string());
   read_domain(root, study);
   read_mesh(root, study);
-  read_adapt(root, study);
-  if (auto metric = root.table("metric")) study.metric = parse_metric(*metric, study.mode);
+  if (auto adapt = root.table("adapt")) study.adapt = parse_adapt(*adapt);
+  if (auto metric = root.table("metric")) study.metric = parse_metric(*metric, study.adapt.mode);
   read_problem(root, study);
   read_solver(root, study);
   if (auto output = root.table("output")) study.output = parse_output(*output);

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "adapt/problem.hpp"
 #include "drivers/expression.hpp"
+#include "drivers/study_adapt.hpp"
 #include "drivers/study_output.hpp"
 #include "drivers/study_plate.hpp"
 #include "drivers/study_problem.hpp"
@@ -39,12 +39,6 @@ struct InitialMesh {
   double size = 0;
 };
 
-/// At most one is set, none for a prescribed metric; cycles of a problem need one.
-struct Target {
-  std::optional<double> error;  ///< relative energy error
-  std::optional<Index> nodes;
-};
-
 /// A study file with one combination of its [vary] values, in plain structs.
 struct Study {
   std::filesystem::path file;
@@ -59,17 +53,14 @@ struct Study {
   Interpolation interpolation = Interpolation::linear_size;
   double chord_height = 0;
   std::int64_t max_elements = 5'000'000;
-  // Exactly one of the three is set.
+  /// At least one is set, one problem at most. With a metric and a problem, the metric makes the
+  /// meshes and the problem is solved on each.
   std::optional<PrescribedMetric> metric;
   std::optional<ScalarProblemText> problem;
   std::optional<PlateProblemText> plate;
   SolverSettings solver;
   OutputRequests output;
-  int cycles = 5;
-  AdaptMode mode = AdaptMode::anisotropic;
-  Target target;
-  MetricLimits limits;
-  double gradation = 0;   ///< largest ratio of sizes over a unit length; 0: no limit
+  AdaptSection adapt;
   std::string paper_row;  ///< row of the paper's tables to print beside, e.g. "13b"
 };
 

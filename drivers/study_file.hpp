@@ -2,23 +2,12 @@
 
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "drivers/study.hpp"
+#include "drivers/study_vary.hpp"
 
 namespace anisofront {
-
-/// One value put in place of what a study file says: a dotted key and a value in TOML syntax.
-struct Override {
-  std::string key;
-  std::string value;
-  std::string origin;  ///< "--set" or "[vary]", for messages
-};
-
-/// Parses "key=value". Throws UsageError without "=" or with an empty key.
-Override parse_override(const std::string& text);
-std::vector<Override> parse_overrides(const std::vector<std::string>& texts);
 
 /// One combination of the [vary] values.
 struct Variant {

@@ -12,6 +12,7 @@ struct TextTable {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
   std::vector<bool> is_reference;  ///< per row: from the paper, not ours
+  bool ends_in_text = false;       ///< the last column holds texts
 };
 
 /// The last cycle of every variant in the columns of the paper's Tables 1-4, then the share of
@@ -23,7 +24,8 @@ TextTable summary_table(const Json& history);
 /// Every cycle of one variant.
 TextTable cycle_table(const Json& variant);
 
-/// Columns aligned with spaces, texts left and numbers right, a rule below the header.
+/// Columns aligned with spaces, texts (the first two columns) left and numbers right, a rule below
+/// the header.
 std::string as_text(const TextTable& table);
 
 }  // namespace anisofront

@@ -63,6 +63,11 @@ bool TomlTable::is_table(const std::string& key) {
   return node != nullptr && node->is_table();
 }
 
+bool TomlTable::is_boolean(const std::string& key) {
+  const toml::node* node = find(key);
+  return node != nullptr && node->is_boolean();
+}
+
 std::string TomlTable::full_key(const std::string& key) const {
   if (key.empty()) return key_;
   return key_.empty() ? key : key_ + "." + key;

@@ -23,6 +23,7 @@ class TomlTable {
 
   bool has(const std::string& key);
   bool is_table(const std::string& key);
+  bool is_boolean(const std::string& key);
   std::optional<std::string> text(const std::string& key);
   std::optional<double> number(const std::string& key);
   std::optional<double> positive(const std::string& key);

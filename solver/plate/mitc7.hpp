@@ -13,7 +13,8 @@ struct Mitc7 {
   static constexpr Shape kShape = Shape::triangle;
   static constexpr int kDeflections = 6, kRotations = 7, kTies = 8;
   static constexpr int kUnknowns = kDeflections + 2 * kRotations;
-  static constexpr int kDegree = 5, kBentDegree = 8;
+  /// On straight elements gradients of the bubble and shear terms are of degree 2, squares of 4.
+  static constexpr int kDegree = 4, kBentDegree = 8;
   static constexpr bool kIsStraight = false;
 
   static Basis<kDeflections> deflections(ReferencePoint at) { return quadratic_triangle(at); }

@@ -20,7 +20,7 @@ const char* name_of(Shape shape) { return shape == Shape::triangle ? "triangle" 
 
 void require_shape(PlateElement kind, const Element& element, Shape expected) {
   if (element.shape == expected) return;
-  throw UsageError("element " + std::to_string(element.number) + " near " +
+  throw UsageError("element " + std::to_string(element.number + 1) + " near " +
                    describe(element.nodes[0]) + " is a " + name_of(element.shape) +
                    ", but the plate element " + name_of(kind) + " is for " + name_of(expected) +
                    "s only; choose mitc, which is for both");

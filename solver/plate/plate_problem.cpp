@@ -147,6 +147,25 @@ void check_vertices(const FeMesh& mesh) {
 
 }  // namespace
 
+HeldComponents held_components(SupportKind kind) {
+  switch (kind) {
+    case SupportKind::clamped:
+      return {true, true, true};
+    case SupportKind::soft_clamped:
+      return {true, true, false};
+    case SupportKind::hard_support:
+    case SupportKind::antisymmetry:
+      return {true, false, true};
+    case SupportKind::soft_support:
+      return {true, false, false};
+    case SupportKind::symmetry:
+      return {false, true, false};
+    case SupportKind::free:
+      break;
+  }
+  return {};
+}
+
 const PlateMaterial& PlateProblem::material_in(Index region) const {
   for (const auto& [tag, own] : regions)
     if (tag == region) return own;

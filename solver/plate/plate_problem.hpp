@@ -35,6 +35,12 @@ enum class SupportKind {
   antisymmetry   ///< w = theta_s = 0
 };
 
+/// What a support of this kind holds.
+struct HeldComponents {
+  bool deflection = false, normal_rotation = false, tangential_rotation = false;
+};
+HeldComponents held_components(SupportKind kind);
+
 /// On all mesh edges with this physical tag. Where conditions meet in a vertex, their union holds.
 struct PlateSupport {
   Index tag = 0;

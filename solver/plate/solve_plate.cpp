@@ -24,16 +24,11 @@ void require_shapes(const FeMesh& mesh, PlateElement element) {
     throw UsageError("the mesh has quadrilaterals, arnold-falk is for triangles only: use mitc");
 }
 
-bool holds_tangent(SupportKind kind) {
-  return kind == SupportKind::clamped || kind == SupportKind::hard_support ||
-         kind == SupportKind::antisymmetry;
-}
-
 void warn_of_polygons(const FeMesh& mesh, const PlateProblem& problem,
                       const std::vector<Index>& smooth_joints, const Monitor& monitor) {
   for (std::size_t s = 0; s < problem.supports.size(); ++s) {
     const PlateSupport& support = problem.supports[s];
-    if (smooth_joints[s] == 0 || !holds_tangent(support.kind)) continue;
+    if (smooth_joints[s] == 0 || !held_components(support.kind).tangential_rotation) continue;
     monitor.warning("the support on " + describe_tag(mesh.mesh, 1, support.tag) +
                     " holds the rotation along an edge that is a polygon in place of a curve (" +
                     std::to_string(smooth_joints[s]) +

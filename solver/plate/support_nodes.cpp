@@ -24,29 +24,6 @@ constexpr double kSameDeflection = 1e-9;
 /// Of the quadrature that takes the mean of a deflection along an edge.
 constexpr int kMeanDegree = 5;
 
-struct Holds {
-  bool w, normal, tangential;
-};
-
-Holds holds_of(SupportKind kind) {
-  switch (kind) {
-    case SupportKind::clamped:
-      return {true, true, true};
-    case SupportKind::soft_clamped:
-      return {true, true, false};
-    case SupportKind::hard_support:
-    case SupportKind::antisymmetry:
-      return {true, false, true};
-    case SupportKind::soft_support:
-      return {true, false, false};
-    case SupportKind::symmetry:
-      return {false, true, false};
-    case SupportKind::free:
-      break;
-  }
-  return {false, false, false};
-}
-
 Vector unit(Vector v) { return (1 / norm(v)) * v; }
 
 /// The end of a supported curve edge at a vertex.
@@ -182,14 +159,14 @@ class SupportGathering {
   void hold(std::size_t s, Index curve_edge, const std::vector<Vector>& tangents,
             PlateComponents components, SupportNode& node) const {
     const PlateSupport& support = problem_.supports[s];
-    const Holds holds = holds_of(support.kind);
-    if (holds.w && components.w >= 0)
+    const HeldComponents holds = held_components(support.kind);
+    if (holds.deflection && components.w >= 0)
       node.deflections.push_back({support.tag, deflection(support, curve_edge, node.at)});
-    if (components.rotation < 0 || !(holds.normal || holds.tangential)) return;
+    if (components.rotation < 0 || !(holds.normal_rotation || holds.tangential_rotation)) return;
     HeldRotation held{support.tag, {}};
     for (const Vector t : tangents) {
-      if (holds.normal) add_direction({t.y, -t.x}, held.directions);
-      if (holds.tangential) add_direction(t, held.directions);
+      if (holds.normal_rotation) add_direction({t.y, -t.x}, held.directions);
+      if (holds.tangential_rotation) add_direction(t, held.directions);
     }
     add_rotation(std::move(held), node);
   }

@@ -26,9 +26,6 @@ RotationTies<Family> rotation_ties(const TiedTables<Family>& tables, const Eleme
   return ties;
 }
 
-/// Throws InputError where the map of the element is not positive.
-double positive_determinant(const MapPoint& map, const Element& element);
-
 /// What the functions do at a point of an element; two columns are the components in x and y.
 template <class Family>
 struct Strains {

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "mesher/geometry/describe.hpp"
+#include "mesher/geometry/error.hpp"
 #include "solver/scalar/element_sum.hpp"
 #include "solver/space/reference_quadrature.hpp"
 
@@ -31,7 +34,15 @@ struct Integrals {
     exact_energy += b.exact_energy;
     return *this;
   }
+  bool is_finite() const { return std::isfinite(e2 + grad_e2 + error_energy + exact_energy); }
 };
+
+/// Without this, elements would be divided to the last depth everywhere.
+[[noreturn]] void refuse(Point at, const ScalarState& field) {
+  const bool is_field = !std::isfinite(field.value + field.gradient.x + field.gradient.y);
+  throw InputError(std::string(is_field ? "the field" : "the exact solution or a coefficient") +
+                   " is not finite at " + describe(at) + "; error norms need finite values");
+}
 
 /// The integrand on one element.
 struct Integrand {
@@ -45,8 +56,10 @@ struct Integrand {
     const double dx = weight * map.determinant(), a = diffusion(map.x), c = reaction(map.x);
     const double e2 = (u - state.value) * (u - state.value);
     const double grad_e2 = squared_norm(g - state.gradient);
-    return {dx * e2, dx * grad_e2, dx * (a * grad_e2 + c * e2),
-            dx * (a * squared_norm(g) + c * u * u)};
+    const Integrals result{dx * e2, dx * grad_e2, dx * (a * grad_e2 + c * e2),
+                           dx * (a * squared_norm(g) + c * u * u)};
+    if (!result.is_finite()) refuse(map.x, state);
+    return result;
   }
 };
 

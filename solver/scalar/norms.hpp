@@ -18,7 +18,8 @@ struct ErrorNorms {
 /// different degree disagree: the norms are accurate to about 1e-4 relative even when a layer of
 /// the exact solution lies inside one element. Elements are divided on the reference element, so
 /// that bent ones stay bent. The coefficients of `problem` may be functions of region and place.
-/// `threads` 0: all cores; the result does not depend on it.
+/// `threads` 0: all cores; the result does not depend on it. Throws InputError with the place where
+/// the field, the exact solution or a coefficient is not finite.
 ErrorNorms error_norms(const FeMesh& mesh, const ScalarProblem& problem, const ExactSolution& exact,
                        const ScalarField& field, int threads = 0);
 

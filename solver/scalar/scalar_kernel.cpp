@@ -93,7 +93,7 @@ void fill_constant(const Coefficients& coefficients, int order, const Element& e
   static const ReferenceMatrices references[] = {reference_matrices(1), reference_matrices(2)};
   const ReferenceMatrices& r = references[order - 1];
   const MapPoint map = map_at(element, {1. / 3, 1. / 3});
-  const double det = map.determinant(), a = coefficients.diffusion(map.x) / det;
+  const double det = positive_determinant(map, element), a = coefficients.diffusion(map.x) / det;
   const double xi_xi = a * dot(map.d_eta, map.d_eta), mixed = -a * dot(map.d_xi, map.d_eta),
                eta_eta = a * dot(map.d_xi, map.d_xi), mass = coefficients.reaction(map.x) * det;
   for (int j = 0; j < r.count; ++j)
@@ -119,7 +119,7 @@ PointTerms terms_at(const Coefficients& coefficients, const Element& element,
                     const ScalarBasisPoint& point) {
   const MapPoint map = map_at(element, point.at);
   PointTerms terms{.basis = point.basis,
-                   .measure = point.weight * map.determinant(),
+                   .measure = point.weight * positive_determinant(map, element),
                    .a = coefficients.diffusion(map.x),
                    .c = coefficients.reaction(map.x),
                    .f = coefficients.source(map.x)};

@@ -11,6 +11,10 @@ struct ScalarOptions {
   int order = 1;
   int threads = 0;  ///< 0: all cores
   LinearOptions linear;
+  /// Where multigrid starts (see LinearMethod), a field of this order on the mesh that is solved,
+  /// such as the solution on an earlier mesh carried over; its inner values are not used. Direct
+  /// methods ignore it. Null: none.
+  const ScalarField* guess = nullptr;
 };
 
 struct ScalarSolution {
@@ -24,8 +28,9 @@ struct ScalarSolution {
 /// Vertices that no element has get the value 0.
 /// Throws InputError: a <= 0, c < 0, values that are not finite (with the place), a condition whose
 /// tag no edge carries, a tag with two conditions, a part of the mesh where u is free up to a
-/// constant (named by its region); MeshingError and BudgetError: see solve_linear(). Precondition:
-/// order 1 or 2.
+/// constant (named by its region), an element that is turned inside out or flat (with the place), a
+/// guess of another order or size or with values that are not finite; MeshingError and BudgetError:
+/// see solve_linear(). Precondition: order 1 or 2.
 ScalarSolution solve_scalar(const FeMesh& mesh, const ScalarProblem& problem,
                             const ScalarOptions& options = {}, const Monitor& monitor = {});
 

@@ -2,13 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 
+#include "mesher/geometry/describe.hpp"
+#include "mesher/geometry/error.hpp"
 #include "solver/space/basis.hpp"
 
 namespace anisofront {
 namespace {
 
 constexpr int kMaxNewtonSteps = 30;
+/// Determinants below this share of their products are rounding.
+constexpr double kFlat = 4 * std::numeric_limits<double>::epsilon();
 
 template <int N>
 MapPoint mapped_by(const Basis<N>& basis, const std::array<Point, 9>& nodes) {
@@ -42,6 +48,15 @@ MapPoint map_at(const Element& element, ReferencePoint at) {
                         : affine_map(element, at);
   return element.bent ? mapped_by(biquadratic_quad(at), element.nodes)
                       : mapped_by(bilinear_quad(at), element.nodes);
+}
+
+double positive_determinant(const MapPoint& map, const Element& element) {
+  const double left = map.d_xi.x * map.d_eta.y, right = map.d_xi.y * map.d_eta.x;
+  if (!(left - right > kFlat * (std::abs(left) + std::abs(right))))
+    throw InputError("element " + std::to_string(element.number + 1) +
+                     " is turned inside out or flat at " + describe(map.x) +
+                     "; expected convex elements with anticlockwise corners");
+  return left - right;
 }
 
 std::optional<ReferencePoint> inverse_map(const Element& element, Point p) {

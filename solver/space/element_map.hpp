@@ -31,6 +31,10 @@ struct MapPoint {
 /// Linear or bilinear on straight elements, of second degree on bent ones.
 MapPoint map_at(const Element& element, ReferencePoint at);
 
+/// The determinant of a map of the element. Throws InputError naming element and place unless it is
+/// positive beyond doubt: the element is turned inside out there, or flat to round-off.
+double positive_determinant(const MapPoint& map, const Element& element);
+
 /// The reference point that is mapped to p, by Newton steps from the centre; it may lie outside the
 /// reference element. Empty when the steps do not converge (p far from a distorted element).
 std::optional<ReferencePoint> inverse_map(const Element& element, Point p);

@@ -29,11 +29,13 @@ struct FeMesh {
 
 /// All edges straight. Throws InputError for meshes without elements and see number_edges().
 FeMesh straight_fe_mesh(const Mesh& mesh);
+FeMesh straight_fe_mesh(const Mesh&&) = delete;  ///< would dangle
 
 /// Edges on curves of the domain (CurveEdge::curve and parameters) bent by a second-order map:
 /// edge_points are where the normal of the chord through its midpoint meets the curve. An edge
 /// whose bend would turn an element inside out stays straight; one warning counts them.
 FeMesh curved_fe_mesh(const Mesh& mesh, const Domain& domain, const Monitor& monitor = {});
+FeMesh curved_fe_mesh(const Mesh&&, const Domain&, const Monitor& = {}) = delete;
 
 enum class Shape : unsigned char { triangle, quadrilateral };
 

@@ -202,7 +202,7 @@ Factors supernodal_factors(const SparseMatrix& matrix, const Eigen::VectorXd& sc
   require_memory(estimated_bytes(*cholmod->factor, view), matrix.cols(), limit);
   factorise(view, *cholmod);
   return {"supernodal Cholesky (CHOLMOD)", cholmod->common.lnz,
-          [cholmod](Eigen::VectorXd& r) { solve(*cholmod, r); }};
+          [cholmod](Eigen::VectorXd& r, double) { solve(*cholmod, r); }};
 }
 
 }  // namespace anisofront

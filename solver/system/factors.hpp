@@ -13,8 +13,9 @@ namespace anisofront {
 struct Factors {
   std::string method;   ///< for LinearReport
   double nonzeros = 0;  ///< of L (and U)
-  /// Overwrites r by (S A S)^-1 r.
-  std::function<void(Eigen::VectorXd& r)> solve;
+  /// Overwrites r by (S A S)^-1 r. Iterative methods stop when the residual has fallen to the share
+  /// `reduction` of r, direct ones go as far as they can.
+  std::function<void(Eigen::VectorXd& r, double reduction)> solve;
 };
 
 /// Eigen's LDL' with AMD ordering. Precondition here and for the next: A is symmetric. Both throw

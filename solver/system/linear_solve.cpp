@@ -1,5 +1,6 @@
 #include "solver/system/linear_solve.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -27,6 +28,11 @@ constexpr int kMaxSteps = 500;
 constexpr double kResidualGoal = 1e-12;
 /// ... and at this relative error of the solution.
 constexpr double kErrorGoal = 1e-11;
+/// A correction by an iterative method brings the residual down by kReduction, the last ones no
+/// further than to the share kFinalResidual of the right-hand side: what a guess has gained already
+/// need not be gained again.
+constexpr double kReduction = 1e-7;
+constexpr double kFinalResidual = 1e-14;
 /// Above this residual, the user is warned.
 constexpr double kBadResidual = 1e-8;
 /// A step must bring the residual down by this factor.
@@ -52,12 +58,21 @@ void require_finite(const Eigen::VectorXd& values, const char* what, const char*
                          " (counted from 0)" + advice);
 }
 
+void require_guess(const Eigen::VectorXd& guess, Eigen::Index unknowns) {
+  if (guess.size() != unknowns)
+    throw InputError("the initial guess has " + std::to_string(guess.size()) +
+                     " values, expected one for each of the " + std::to_string(unknowns) +
+                     " unknowns");
+  if (!guess.allFinite()) throw InputError("the initial guess has values that are not finite");
+}
+
 /// A x = b with all that the methods need.
 struct Task {
   const SparseMatrix& matrix;
   const SparseMatrix& rows;  ///< the transpose
   const Eigen::VectorXd& rhs;
   const LinearOptions& options;
+  const Eigen::VectorXd* guess;  ///< null: none
   Eigen::VectorXd scale;
   double rhs_norm = 0;  ///< of S b
 };
@@ -70,13 +85,32 @@ struct Iterate {
   double step = 1;           ///< last correction by the solution, both times S^-1
 };
 
+void measure_residual(const Task& task, Iterate& at) {
+  at.residual = task.scale.cwiseProduct(extended_residual(task.rows, task.rhs, at.x));
+  at.relative = task.rhs_norm > 0 ? at.residual.norm() / task.rhs_norm : 0;
+}
+
+/// Zero or, for iterative methods, the guess (if there is a load: zero is the solution otherwise).
+Iterate start_of(const Task& task, bool is_direct) {
+  Iterate start{ExtendedVector(task.rhs.size()), task.scale.cwiseProduct(task.rhs)};
+  if (!task.guess || is_direct || task.rhs_norm == 0) return start;
+  start.x.high = *task.guess;
+  measure_residual(task, start);
+  return start;
+}
+
+/// Below the goal of residuals it is the error that is to fall: the smoothest errors have the
+/// smallest residuals.
+double reduction_from(double relative) {
+  return relative > kResidualGoal ? std::max(kReduction, kFinalResidual / relative) : kReduction;
+}
+
 Iterate corrected(const Task& task, const Factors& factors, const Iterate& from) {
   Iterate next = from;
-  factors.solve(next.residual);
+  factors.solve(next.residual, reduction_from(from.relative));
   const double step = next.residual.norm();
   next.x.add(task.scale.cwiseProduct(next.residual));
-  next.residual = task.scale.cwiseProduct(extended_residual(task.rows, task.rhs, next.x));
-  next.relative = task.rhs_norm > 0 ? next.residual.norm() / task.rhs_norm : 0;
+  measure_residual(task, next);
   next.step = step > 0 ? step / next.x.high.cwiseQuotient(task.scale).norm() : 0;
   return next;
 }
@@ -108,7 +142,7 @@ double condition_estimate(const Task& task, const Factors& factors, const Eigen:
   Eigen::VectorXd mode = x.cwiseQuotient(task.scale);
   const double before = mode.norm();
   if (before == 0) return 0;
-  factors.solve(mode);
+  factors.solve(mode, 0);
   return scaled_norm(task.matrix, task.scale) * mode.norm() / before;
 }
 
@@ -137,8 +171,7 @@ LinearResult solve_with(const Task& task, LinearMethod method, int max_steps = k
   report.factor_seconds = clock.lap();
   report.method = factors.method;
   if (is_direct) report.factor_nonzeros = factors.nonzeros;
-  Iterate solution = corrected(
-      task, factors, {ExtendedVector(task.rhs.size()), task.scale.cwiseProduct(task.rhs)});
+  Iterate solution = corrected(task, factors, start_of(task, is_direct));
   if (is_direct) report.condition = condition_estimate(task, factors, solution.x.high);
   solution = refined(task, factors, std::move(solution), report);
   result.solution = solution.x.high;
@@ -176,13 +209,15 @@ LinearResult solve_task(const Task& task) {
 }  // namespace
 
 LinearResult solve_linear(const LinearSystem& system, const LinearOptions& options,
-                          const Monitor& monitor) {
+                          const Monitor& monitor, const Eigen::VectorXd* guess) {
   require_finite(system.rhs, "the right-hand side of the linear system",
                  "; check loads, sources and boundary values");
+  if (guess) require_guess(*guess, system.rhs.size());
   monitor.report("linear system", 0);
   const SparseMatrix transpose = options.symmetric ? SparseMatrix() : system.matrix.transpose();
-  Task task{system.matrix, options.symmetric ? system.matrix : transpose, system.rhs, options,
-            symmetric_scaling(system.matrix)};
+  Task task{system.matrix, options.symmetric ? system.matrix : transpose,
+            system.rhs,    options,
+            guess,         symmetric_scaling(system.matrix)};
   task.rhs_norm = task.scale.cwiseProduct(system.rhs).norm();
   LinearResult result = solve_task(task);
   if (result.report.residual > kBadResidual)

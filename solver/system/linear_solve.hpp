@@ -51,10 +51,13 @@ struct LinearResult {
 /// Scales symmetrically by the diagonal, factorises, solves and refines, with residuals in twice
 /// the working precision, until the relative error is about 1e-11 and the residual 1e-12, or until
 /// the residual stops falling. Warns when it stays above 1e-8. Results do not depend on the number
-/// of threads. Throws MeshingError that names the unknown where the matrix is not positive definite
-/// or a result is not finite, and BudgetError with the estimate before factors are computed that
-/// would not fit into the memory limit. Precondition: symmetric systems are symmetric to round-off.
+/// of threads. Iterative methods start from the `guess` (null: from 0) and stop at the same
+/// residual relative to b, direct ones ignore it. Throws MeshingError that names the unknown where
+/// the matrix is not positive definite or a result is not finite, InputError for a guess of another
+/// size or with values that are not finite, and BudgetError with the estimate before factors are
+/// computed that would not fit into the memory limit. Precondition: symmetric systems are symmetric
+/// to round-off.
 LinearResult solve_linear(const LinearSystem& system, const LinearOptions& options = {},
-                          const Monitor& monitor = {});
+                          const Monitor& monitor = {}, const Eigen::VectorXd* guess = nullptr);
 
 }  // namespace anisofront

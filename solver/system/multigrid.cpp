@@ -18,9 +18,6 @@ constexpr double kLeastCoarsening = 0.8;
 /// Of couplings, see filtered_matrix().
 constexpr double kStrength = 0.4;
 
-/// Of conjugate gradients.
-constexpr double kTolerance = 1e-7;
-
 struct Level {
   explicit Level(SparseRows rows) : matrix(std::move(rows)), smoother(matrix) {}
 
@@ -101,12 +98,12 @@ namespace {
                      "; use a direct method (supernodal)");
 }
 
-/// Overwrites b by A^-1 b; returns the number of steps.
+/// Overwrites b by A^-1 b up to a residual of `reduction` times |b|; returns the number of steps.
 int conjugate_gradients(const SparseRows& matrix, const Multigrid& multigrid, int max_steps,
-                        Eigen::VectorXd& b) {
+                        double reduction, Eigen::VectorXd& b) {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size()), z, p, image;
   Eigen::VectorXd& r = b;
-  const double goal = kTolerance * kTolerance * inner_product(r, r);
+  const double goal = reduction * reduction * inner_product(r, r);
   if (goal == 0) return 0;
   double rho = 0;
   for (int step = 1; step <= max_steps; ++step) {
@@ -136,9 +133,9 @@ Factors multigrid_solver(const SparseMatrix& matrix, const Eigen::VectorXd& scal
                          int& steps) {
   const auto multigrid = std::make_shared<Multigrid>(matrix);
   return {"conjugate gradients with smoothed aggregation multigrid", multigrid->nonzeros(),
-          [multigrid, &scale, max_steps, &steps](Eigen::VectorXd& r) {
+          [multigrid, &scale, max_steps, &steps](Eigen::VectorXd& r, double reduction) {
             r = r.cwiseQuotient(scale).eval();
-            steps += conjugate_gradients(multigrid->finest(), *multigrid, max_steps, r);
+            steps += conjugate_gradients(multigrid->finest(), *multigrid, max_steps, reduction, r);
             r = r.cwiseQuotient(scale).eval();
           }};
 }

@@ -29,9 +29,9 @@ class Multigrid {
   std::unique_ptr<Hierarchy> hierarchy_;
 };
 
-/// Conjugate gradients with a V cycle: what solves with S A S to a relative residual of 1e-7 and
-/// adds its steps to `steps`. `scale` and `steps` must outlive it. Throws MeshingError for matrices
-/// that are not positive definite or when `max_steps` steps do not converge.
+/// Conjugate gradients with a V cycle: what solves with S A S and adds its steps to `steps`.
+/// `scale` and `steps` must outlive it. Throws MeshingError for matrices that are not positive
+/// definite or when `max_steps` steps do not converge.
 Factors multigrid_solver(const SparseMatrix& matrix, const Eigen::VectorXd& scale, int max_steps,
                          int& steps);
 

@@ -56,7 +56,7 @@ Factors factorise(const SparseMatrix& upper, const Permutation& order, double no
   const auto ldlt = std::make_shared<Ldlt<Integer>>();
   ldlt->compute(Eigen::SparseMatrix<double, Eigen::ColMajor, Integer>(upper));
   require_pivots<Integer>(*ldlt, order);
-  return {"simplicial LDL' (Eigen)", nonzeros, [ldlt, order](Eigen::VectorXd& r) {
+  return {"simplicial LDL' (Eigen)", nonzeros, [ldlt, order](Eigen::VectorXd& r, double) {
             r = (order * r).eval();
             r = ldlt->solve(r).eval();
             r = (order.inverse() * r).eval();

@@ -21,7 +21,8 @@ Factors general_factors(const SparseMatrix& matrix, const Eigen::VectorXd& scale
     throw MeshingError("the matrix of " + std::to_string(matrix.cols()) +
                        " unknowns is singular: " + lu->lastErrorMessage());
   const double nonzeros = static_cast<double>(lu->nnzL() + lu->nnzU());
-  return {"sparse LU (Eigen)", nonzeros, [lu](Eigen::VectorXd& r) { r = lu->solve(r).eval(); }};
+  return {"sparse LU (Eigen)", nonzeros,
+          [lu](Eigen::VectorXd& r, double) { r = lu->solve(r).eval(); }};
 }
 
 }  // namespace anisofront

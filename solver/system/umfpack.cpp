@@ -98,7 +98,7 @@ Factors general_factors(const SparseMatrix& matrix, const Eigen::VectorXd& scale
   analyse(*u, limit);
   factorise(*u);
   return {"sparse LU (UMFPACK)", u->info[UMFPACK_LNZ] + u->info[UMFPACK_UNZ],
-          [u](Eigen::VectorXd& r) { solve(*u, r); }};
+          [u](Eigen::VectorXd& r, double) { solve(*u, r); }};
 }
 
 }  // namespace anisofront

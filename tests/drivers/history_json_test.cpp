@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "drivers/history_csv.hpp"
 #include "drivers/paper_table.hpp"
 #include "drivers/summary.hpp"
 #include "tests/drivers/temporary_folder.hpp"
@@ -91,6 +92,40 @@ TEST_CASE("a problem is measured against the background") {
   const Json cycle = history_json("t", {example(false)})["variants"][0]["cycles"][0];
   CHECK(cycle["quality"]["against"] == "background");
   CHECK(cycle["error"]["relative_energy"] == 0.0125);
+}
+
+TEST_CASE("goal values target and key are in the history and the CSV") {
+  VariantHistory variant = example(false);
+  CycleRecord& record = variant.cycles[0];
+  record.goal = GoalRecord{2.5, -0.125};
+  record.values = {{"w, centre", 0.5}, {"energy", 3}};
+  record.background.stretch_max = 42.5;
+  variant.target = TargetState::missed;
+  const Json history = history_json("t", {variant, example(true)}, {"0123", "4567"});
+  const Json& json = history["variants"][0];
+  CHECK(json["key"] == "0123");
+  CHECK(json["target"] == "missed");
+  CHECK(history["variants"][1]["target"] == "none");
+  const Json& cycle = json["cycles"][0];
+  CHECK(cycle["goal"] == Json{{"value", 2.5}, {"error", -0.125}});
+  CHECK(cycle["values"]["w, centre"] == 0.5);
+  CHECK(cycle["stretch_max"] == 42.5);
+  CHECK(cycle["error"]["kind"] == "true");
+  CHECK(history["variants"][1]["cycles"][0]["goal"].is_null());
+  CHECK(history["variants"][1]["cycles"][0]["error"]["kind"].is_null());
+  CHECK(history["comparison"].empty());
+  const std::string csv = history_csv(history);
+  CHECK(has(csv,
+            ",stretch_max,background_stretch_max,error_kind,goal_value,goal_error,"
+            "\"value w, centre\",\"value energy\"\n"));
+  CHECK(has(csv, ",42.5,42.5,\"true\",2.5,-0.125,0.5,3.0\n"));
+  CHECK(has(csv, ",1.0,1.0,,,,,\n"));  // unknown values stay empty
+}
+
+TEST_CASE("an estimate alone is the kind of error that is known") {
+  VariantHistory variant = example(false);
+  variant.cycles[0].error = {0.5, {}, {}};
+  CHECK(history_json("t", {variant})["variants"][0]["cycles"][0]["error"]["kind"] == "estimate");
 }
 
 TEST_CASE("the CSV has one line per cycle and as many fields as titles") {

@@ -5,23 +5,18 @@
 
 #include <doctest/doctest.h>
 
+#include "drivers/cycle_files.hpp"
 #include "drivers/html.hpp"
 #include "drivers/run_study.hpp"
 #include "drivers/text.hpp"
+#include "mesher/io/mesh_io.hpp"
 #include "tests/drivers/program_call.hpp"
-#include "tests/drivers/temporary_folder.hpp"
+#include "tests/drivers/result_folder.hpp"
 
 using namespace anisofront;
 using namespace anisofront::testing;
 
 namespace {
-
-/// The history without times.
-Json timeless(Json history) {
-  for (Json& variant : history["variants"])
-    for (Json& cycle : variant["cycles"]) cycle.erase("seconds");
-  return history;
-}
 
 const std::string kSquareMesh =
     "MeshVersionFormatted 2\nDimension 2\nVertices\n4\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
@@ -40,7 +35,7 @@ TEST_SUITE_BEGIN("unit");
 TEST_CASE("help and version are successes") {
   CHECK(call({"--version"}).code == 0);
   CHECK(has(call({"--version"}).out, "anisofront"));
-  for (const char* command : {"run", "solve", "mesh", "check", "convert", "report"}) {
+  for (const char* command : {"run", "solve", "mesh", "check", "convert", "metric", "report"}) {
     const Result help = call({command, "--help"});
     CHECK(help.code == 0);
     CHECK(has(help.out, "Example"));
@@ -53,6 +48,9 @@ TEST_CASE("mistakes on the command line are code 3 and propose the nearest name"
   CHECK(option.code == 3);
   CHECK(has(option.err, "did you mean \"--metric\"?"));
   CHECK(has(call({"chekc", "a.msh"}).err, "did you mean \"check\"?"));
+  CHECK(has(call({"metric", "explian"}).err, "did you mean \"explain\"?"));
+  CHECK(has(call({"metric", "explain", "s.toml", "--att", "1,2"}).err, "did you mean \"--at\"?"));
+  CHECK(has(call({"metric", "explain"}).err, "anisofront metric explain --help"));
   CHECK(call({"run", "missing.toml"}).code == 3);
   CHECK(call({"check", "missing.msh"}).code == 3);
   CHECK(call({"convert", "a.msh", "b.xyz"}).code == 3);
@@ -311,12 +309,76 @@ TEST_CASE("variants side by side give the same results") {
 
 TEST_CASE("a missed target is code 1 with a valid result") {
   const TemporaryFolder folder;
+  const auto study =
+      folder.write("s.toml", small_problem("cycles = 1\ntarget = { error = 1e-6 }")).string();
   const auto dir = folder.path() / "r";
-  const Result result = call({"run", ANISOFRONT_DATA "/studies/reaction-diffusion-layer.toml", "-o",
-                              dir.string(), "--set", "adapt.target={error=1e-6}", "--set",
-                              "adapt.cycles=0", "--set", "adapt.mode=anisotropic"});
+  const Result result = call({"run", study, "-o", dir.string()});
   CHECK(result.code == 1);
-  CHECK(std::filesystem::exists(dir / "history.json"));
+  CHECK(has(result.out, "target error missed after 1 cycles"));
+  const Json variant = read_json(dir / "history.json")["variants"][0];
+  CHECK(variant["target"] == "missed");
+  CHECK(variant["cycles"].size() == 2);
+  CHECK(call({"run", study, "-q", "-o", dir.string()}).code == 1);  // finished before, still missed
+}
+
+TEST_CASE("a run that its budget ends is code 5 and keeps its results") {
+  const TemporaryFolder folder;
+  const auto study =
+      folder
+          .write("s.toml",
+                 small_problem("cycles = 5\ntarget = { error = 1e-6 }\nbudget = { nodes = 50 }"))
+          .string();
+  const auto dir = folder.path() / "r";
+  const Result result = call({"run", study, "-o", dir.string()});
+  CHECK(result.code == 5);
+  CHECK(has(result.err, "a budget was reached"));
+  const Json variant = read_json(dir / "history.json")["variants"][0];
+  CHECK(has(variant["stop_reason"], "budget reached after"));
+  CHECK(variant["cycles"].size() < 5);
+  CHECK(std::filesystem::exists(dir / "main/cycle-0.msh"));
+}
+
+TEST_CASE("the files of a cycle hold metric and all fields and the stages have files too") {
+  const TemporaryFolder folder;
+  const auto study =
+      folder.write("s.toml", small_problem("cycles = 1\ntarget = { nodes = 60 }\nstages = true",
+                                           "[output]\nformats = [\"msh\", \"vtu\", \"mesh\"]\n"));
+  const auto dir = folder.path() / "r";
+  REQUIRE(call({"run", study.string(), "-q", "-o", dir.string()}).code == 0);
+  const MeshFile file = read_gmsh(dir / "main/cycle-1.msh");
+  const auto components = [](const std::vector<FileField>& fields, const std::string& name) {
+    for (const FileField& field : fields)
+      if (field.name == name) return field.components;
+    return 0;
+  };
+  CHECK(components(file.vertex_fields, "metric") == 9);
+  CHECK(components(file.vertex_fields, "u") == 1);
+  CHECK(components(file.element_fields, "indicator") == 1);
+  const std::string vtu = read_text_file(dir / "main/cycle-1.vtu");
+  for (const char* name : {"metric", "u", "indicator", "quality"})
+    CHECK_MESSAGE(has(vtu, "Name=\"" + std::string(name) + "\""), name);
+  const MeshFile stages = read_gmsh(dir / "main/cycle-1-stages.msh");
+  for (const char* name : {"density", "scaled", "size limits", "stretch limit", "gradation"})
+    CHECK_MESSAGE(components(stages.vertex_fields, name) == 9, name);
+  CHECK(has(read_text_file(dir / "main/cycle-1-stages.vtu"), "Name=\"size limits\""));
+  // Medit: one metric beside each mesh; the last is the metric itself.
+  CHECK(read_metric_file(dir / "main/cycle-1-gradation.sol",
+                         static_cast<Index>(file.mesh.points.size())) ==
+        read_metric_file(dir / "main/cycle-1.msh", static_cast<Index>(file.mesh.points.size())));
+}
+
+TEST_CASE("plane vectors of a plate are written with three components") {
+  const TemporaryFolder folder;
+  Analysis analysis;
+  analysis.vertex_fields = {{"shear", 2, {1, 2, 3, 4, 5, 6}}};
+  Mesh mesh;
+  mesh.points = {{0, 0}, {1, 0}, {0, 1}};
+  mesh.triangles = {{0, 1, 2}};
+  mesh.triangle_regions = {1};
+  write_cycle(folder.path(), {"msh"}, 0, mesh, analysis);
+  const MeshFile file = read_gmsh(folder.path() / "cycle-0.msh");
+  REQUIRE(file.vertex_fields.size() == 1);
+  CHECK(file.vertex_fields[0].values == std::vector<double>{1, 2, 0, 3, 4, 0, 5, 6, 0});
 }
 
 TEST_CASE("an interrupted run keeps the finished cycles and is code 130") {

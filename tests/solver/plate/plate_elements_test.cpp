@@ -7,7 +7,6 @@
 #include "mesher/geometry/error.hpp"
 #include "solver/plate/mitc7.hpp"
 #include "solver/plate/tied_element.hpp"
-#include "solver/space/reference_quadrature.hpp"
 #include "tests/solver/plate/sample_elements.hpp"
 #include "tests/solver/plate/six_point_mitc9.hpp"
 
@@ -27,22 +26,6 @@ int zero_eigenvalues(const Eigen::MatrixXd& matrix) {
   const Eigen::VectorXd values =
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues();
   return static_cast<int>((values.array().abs() < 1e-12 * values.maxCoeff()).count());
-}
-
-/// 1/2 int M : C^-1 : M and 1/2 int Q . Q / (k G t) of the states.
-PlateEnergy integrated_energy(const Candidate& c, const PlateMaterial& material,
-                              const LocalValues& values) {
-  PlateEnergy energy;
-  for (const auto& [at, weight] : reference_quadrature(c.element.shape, 9)) {
-    const PlateState s = plate_state(c.kind, material, c.element, values, at);
-    const auto& [xx, yy, xy] = s.moments;
-    const double nu = material.poisson, dx = weight * map_at(c.element, at).determinant();
-    // C^-1 = [1 -nu 0; -nu 1 0; 0 0 2 (1 + nu)] / (D (1 - nu^2))
-    energy.bending += 0.5 * dx * (xx * xx + yy * yy - 2 * nu * xx * yy + 2 * (1 + nu) * xy * xy) /
-                      (material.bending_stiffness() * (1 - nu * nu));
-    energy.shear += 0.5 * dx * squared_norm(s.shear) / material.shear_stiffness();
-  }
-  return energy;
 }
 
 PlateProblem unit_load() {
@@ -289,7 +272,7 @@ TEST_SUITE("unit") {
     square.number = 12;
     CHECK_THROWS_WITH_AS(
         system_of(PlateElement::arnold_falk, square, unit_load()),
-        "element 12 near (0.25, 3) is a quadrilateral, but the plate element arnold_falk is for "
+        "element 13 near (0.25, 3) is a quadrilateral, but the plate element arnold_falk is for "
         "triangles only; choose mitc, which is for both",
         UsageError);
     CHECK_THROWS_AS(system_of(PlateElement::mitc4, obtuse_triangle(), unit_load()), UsageError);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/plate/plate_elements.hpp"
+#include "solver/space/reference_quadrature.hpp"
 #include "tests/solver/plate/plate_cases.hpp"
 
 namespace anisofront::test {
@@ -129,6 +130,22 @@ inline ElementSystem system_of(PlateElement kind, const Element& element,
   ElementSystem system;
   plate_kernel(kind, problem)(element, system);
   return system;
+}
+
+/// 1/2 int M : C^-1 : M and 1/2 int Q . Q / (k G t) of the states, by a rule of degree 12.
+inline PlateEnergy integrated_energy(const Candidate& c, const PlateMaterial& material,
+                                     const LocalValues& values) {
+  PlateEnergy energy;
+  for (const auto& [at, weight] : reference_quadrature(c.element.shape, 12)) {
+    const PlateState s = plate_state(c.kind, material, c.element, values, at);
+    const auto& [xx, yy, xy] = s.moments;
+    const double nu = material.poisson, dx = weight * map_at(c.element, at).determinant();
+    // C^-1 = [1 -nu 0; -nu 1 0; 0 0 2 (1 + nu)] / (D (1 - nu^2))
+    energy.bending += 0.5 * dx * (xx * xx + yy * yy - 2 * nu * xx * yy + 2 * (1 + nu) * xy * xy) /
+                      (material.bending_stiffness() * (1 - nu * nu));
+    energy.shear += 0.5 * dx * squared_norm(s.shear) / material.shear_stiffness();
+  }
+  return energy;
 }
 
 /// Points inside the reference element and on its edge.

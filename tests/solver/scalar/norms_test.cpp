@@ -1,10 +1,12 @@
 #include "solver/scalar/norms.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <doctest/doctest.h>
 
+#include "mesher/geometry/error.hpp"
 #include "solver/scalar/scalar_basis.hpp"
 #include "tests/solver/disc_mesh.hpp"
 #include "tests/solver/square_mesh.hpp"
@@ -122,6 +124,44 @@ TEST_SUITE("unit") {
       const double polygon = error_norms(straight, {}, one, zero_field(straight)).l2;
       CHECK(polygon * polygon < 0.995 * std::numbers::pi);
     }
+  }
+
+  TEST_CASE("values that are not finite are refused with the place before anything is divided") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const Mesh mesh = square_quads(40, 40);
+    const FeMesh fe = straight_fe_mesh(mesh);
+    const auto check_refused = [&fe](const ScalarProblem& problem, const ExactSolution& exact,
+                                     const ScalarField& field, const char* part) {
+      CHECK_THROWS_WITH_AS(error_norms(fe, problem, exact, field), doctest::Contains(part),
+                           InputError);
+    };
+    const ScalarField zero = zero_field(fe);
+    ScalarField outer = zero, inner = zero, all = zero;
+    outer.values[20] = nan;
+    inner.inner[40] = std::numeric_limits<double>::infinity();
+    all.values.assign(all.values.size(), nan);
+    check_refused({}, kParabola, outer, "the field is not finite at (0.4");
+    check_refused({}, kParabola, inner, "the field is not finite at (0.0");
+    check_refused({}, kParabola, all, "the field is not finite at (0.0");
+    const ExactSolution no_value =
+        solution([nan](Point p) { return p.y > 0.9 ? nan : p.y; }, [](Point) { return Vector{}; });
+    check_refused({}, no_value, zero, "the exact solution or a coefficient is not finite at (0.0");
+    const ExactSolution no_gradient = solution([](Point p) { return p.y; },
+                                               [nan](Point p) {
+                                                 return Vector{p.y < 0.5 ? 0 : nan, 1};
+                                               });
+    check_refused({}, no_gradient, zero, "the exact solution or a coefficient is not finite at (");
+    check_refused({nan, 0., 0.}, kParabola, zero, "or a coefficient is not finite at (");
+  }
+
+  TEST_CASE("a value that is infinite in a vertex does no harm") {
+    const ExactSolution exact = solution(
+        [](Point p) { return p.x + p.y == 0 ? std::numeric_limits<double>::infinity() : p.x; },
+        [](Point) {
+          return Vector{1, 0};
+        });
+    const ErrorNorms norms = norms_of(square_mesh(2), 1, 0, exact, std::vector<double>(9, 0.));
+    CHECK(norms.l2 * norms.l2 == doctest::Approx(1. / 3));
   }
 
   TEST_CASE("the norms do not depend on the number of threads and errors of functions come out") {

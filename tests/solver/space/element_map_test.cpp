@@ -1,7 +1,10 @@
 #include "solver/space/element_map.hpp"
 
+#include <cmath>
+
 #include <doctest/doctest.h>
 
+#include "mesher/geometry/error.hpp"
 #include "tests/solver/disc_mesh.hpp"
 #include "tests/solver/square_mesh.hpp"
 
@@ -50,6 +53,22 @@ void check_inverse(const Element& element) {
 }  // namespace
 
 TEST_SUITE("unit") {
+  TEST_CASE("determinants that are not positive beyond rounding are refused") {
+    Element element;
+    element.number = 6;
+    CHECK(positive_determinant({{}, {2, 1}, {1, 3}}, element) == 5);
+    CHECK(positive_determinant({{}, {1, 1}, {1, 1 + 1e-12}}, element) > 0);
+    for (const MapPoint& map : {MapPoint{{4, 0.5}, {1, 3}, {2, 1}},
+                                {{4, 0.5}, {1, 3}, {1, 3}},
+                                {{4, 0.5}, {0.1, 0.3}, {0.2, std::nextafter(0.6, 1)}},
+                                {{4, 0.5}, {0, 0}, {0, 0}},
+                                {{4, 0.5}, {1, 0}, {0, std::nan("")}}})
+      CHECK_THROWS_WITH_AS(positive_determinant(map, element),
+                           "element 7 is turned inside out or flat at (4, 0.5); expected convex "
+                           "elements with anticlockwise corners",
+                           InputError);
+  }
+
   TEST_CASE("derivatives of the map are those of its points") {
     check_derivatives(skewed_quad());
     check_derivatives(bent_triangle());

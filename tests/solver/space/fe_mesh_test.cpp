@@ -31,6 +31,15 @@ double length_of(const FeMesh& fe) {
   return length;
 }
 
+template <class M>
+constexpr bool kHasStraightView = requires(M&& m) {
+  straight_fe_mesh(std::forward<M>(m));
+};
+template <class M>
+constexpr bool kHasCurvedView = requires(M&& m, const Domain& domain) {
+  curved_fe_mesh(std::forward<M>(m), domain);
+};
+
 }  // namespace
 
 TEST_SUITE("unit") {
@@ -123,6 +132,16 @@ TEST_SUITE("unit") {
     CHECK_FALSE(element_at(fe, 0).bent);
     mesh.points[1] = {3, 0};
     CHECK(element_at(curved_fe_mesh(mesh, disc_domain()), 0).bent);
+  }
+
+  TEST_CASE("views of temporary meshes do not compile") {
+    CHECK(kHasStraightView<Mesh&>);
+    CHECK(kHasStraightView<const Mesh&>);
+    CHECK_FALSE(kHasStraightView<Mesh>);
+    CHECK_FALSE(kHasStraightView<const Mesh>);
+    CHECK(kHasCurvedView<const Mesh&>);
+    CHECK_FALSE(kHasCurvedView<Mesh>);
+    CHECK_FALSE(kHasCurvedView<const Mesh>);
   }
 
   TEST_CASE("a mesh without elements is refused") {

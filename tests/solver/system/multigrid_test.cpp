@@ -32,6 +32,44 @@ TEST_SUITE("unit") {
     }
   }
 
+  TEST_CASE("a good guess saves steps and a bad one costs no digits") {
+    LinearOptions options;
+    options.method = LinearMethod::multigrid;
+    for (const double stretch : {1., 1e4}) {
+      const LinearSystem system{difference_laplacian(80, stretch), sample_load(6400)};
+      const Eigen::VectorXd x = solve_with(system, LinearMethod::simplicial).solution;
+      const int plain = solve_with(system, LinearMethod::multigrid).report.iterations;
+      const auto check_from = [&](const Eigen::VectorXd& guess, double share) {
+        const LinearResult result = solve_linear(system, options, {}, &guess);
+        CHECK(result.report.iterations <= share * plain);
+        CHECK(result.report.residual <= 1e-12);
+        CHECK((result.solution - x).norm() < 1e-12 * x.norm());
+      };
+      check_from(1.0001 * x, 0.8);  // the error of a solution on a coarser mesh is smooth
+      check_from(-1e6 * x, 2);
+      check_from(1e3 * x.norm() * sample_load(6400), 2);
+    }
+  }
+
+  TEST_CASE("without a load the solution is zero from every guess") {
+    const LinearSystem system{difference_laplacian(60, 1), Eigen::VectorXd::Zero(3600)};
+    const Eigen::VectorXd guess = sample_load(3600);
+    LinearOptions options;
+    options.method = LinearMethod::multigrid;
+    CHECK(solve_linear(system, options, {}, &guess).solution == Eigen::VectorXd::Zero(3600));
+  }
+
+  TEST_CASE("a guess of another size or without values is refused") {
+    const LinearSystem system{difference_laplacian(5, 1), sample_load(25)};
+    const Eigen::VectorXd short_guess = sample_load(24);
+    CHECK_THROWS_WITH_AS(solve_linear(system, {}, {}, &short_guess),
+                         doctest::Contains("has 24 values, expected one for each of the 25"),
+                         InputError);
+    const Eigen::VectorXd infinite = sample_load(25) / 0.;
+    CHECK_THROWS_WITH_AS(solve_linear(system, {}, {}, &infinite), doctest::Contains("not finite"),
+                         InputError);
+  }
+
   TEST_CASE("steps hardly grow with the number of unknowns") {
     int steps[2];
     for (const int k : {0, 1}) {

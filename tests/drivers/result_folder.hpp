@@ -1,0 +1,74 @@
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+#include "drivers/history_json.hpp"
+#include "drivers/text.hpp"
+#include "tests/drivers/problem_studies.hpp"
+
+namespace anisofront::testing {
+
+/// -Lap u = 1 on the unit square, u = 0 around it, in a few milliseconds a cycle.
+inline std::string small_problem(const std::string& adapt, const std::string& rest = "") {
+  return square_study(
+      "kind = \"poisson\"\nsource = 1\nboundary.bottom = { value = 0 }\n"
+      "boundary.right = { value = 0 }\nboundary.top = { value = 0 }\nboundary.left = { value = 0 }",
+      "[adapt]\n" + adapt + "\n" + rest);
+}
+
+/// A history or a record without times.
+inline Json timeless(Json json) {
+  if (json.is_object()) json.erase("seconds");
+  if (json.is_structured())
+    for (Json& part : json) part = timeless(part);
+  return json;
+}
+
+/// A table without the columns of times.
+inline std::string timeless_csv(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::set<std::size_t> times;
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream fields(line);
+    std::size_t column = 0;
+    for (std::string field; std::getline(fields, field, ','); ++column) {
+      if (field.starts_with("seconds_")) times.insert(column);
+      if (times.count(column) == 0) text += field + ",";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+/// What a file says, times left out.
+inline std::string timeless_content(const std::filesystem::path& path) {
+  const std::string content = read_text_file(path);
+  if (path.extension() == ".json") return timeless(Json::parse(content)).dump();
+  return path.extension() == ".csv" ? timeless_csv(content) : content;
+}
+
+/// Names of all files below a folder.
+inline std::set<std::string> files_below(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.is_regular_file())
+      names.insert(std::filesystem::relative(entry.path(), folder).string());
+  return names;
+}
+
+/// The files that are missing in one of the folders or say something else, times left out.
+inline std::string differences(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::string text;
+  std::set<std::string> names = files_below(a);
+  names.merge(files_below(b));
+  for (const std::string& name : names)
+    if (!std::filesystem::exists(a / name) || !std::filesystem::exists(b / name) ||
+        timeless_content(a / name) != timeless_content(b / name))
+      text += name + "\n";
+  return text;
+}
+
+}  // namespace anisofront::testing
