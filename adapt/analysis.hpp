@@ -18,6 +18,7 @@ struct Analysis {
   CycleError error;
   std::optional<GoalRecord> goal;
   std::vector<NamedValue> values;
+  /// Without the true error, which no adaptive loop needs.
   double solve_seconds = 0, estimate_seconds = 0, metric_seconds = 0;
   /// Named fields for output (solution first), `components` values per vertex or element.
   struct Field {

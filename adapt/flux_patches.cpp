@@ -1,32 +1,12 @@
 #include "adapt/flux_patches.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "adapt/edge_sides.hpp"
+#include "solver/space/disjoint_sets.hpp"
 
 namespace anisofront {
 namespace {
-
-/// Corner k of element e has number 4 e + k. Sets of corners, each named by its smallest.
-class CornerSets {
- public:
-  explicit CornerSets(Index elements) : parent_(4 * static_cast<std::size_t>(elements)) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  Index find(Index c) {
-    while (parent_[c] != c) c = parent_[c] = parent_[parent_[c]];
-    return c;
-  }
-  void unite(Index a, Index b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 /// Two corners at one vertex whose elements share an edge.
 struct CornerLink {
@@ -68,7 +48,7 @@ void set_elements(Index elements, const FeMesh& mesh, FluxPatches& patches) {
 }
 
 /// Numbers the sets and names the patch of each corner.
-void number_patches(const FeMesh& mesh, CornerSets& sets, FluxPatches& patches) {
+void number_patches(const FeMesh& mesh, DisjointSets& sets, FluxPatches& patches) {
   const Index elements = mesh.element_count();
   patches.at_corner.assign(elements, {kNoIndex, kNoIndex, kNoIndex, kNoIndex});
   for (Index e = 0; e < elements; ++e) {
@@ -89,7 +69,8 @@ void number_patches(const FeMesh& mesh, CornerSets& sets, FluxPatches& patches) 
 
 FluxPatches flux_patches(const FeMesh& mesh, const std::vector<char>& jumps) {
   const std::vector<CornerLink> links = corner_links(mesh, jumps);
-  CornerSets sets(mesh.element_count());
+  // Corner k of element e has number 4 e + k.
+  DisjointSets sets(4 * static_cast<std::size_t>(mesh.element_count()));
   for (const auto& [a, b] : links) sets.unite(a, b);
   FluxPatches patches;
   number_patches(mesh, sets, patches);

@@ -68,7 +68,7 @@ std::string reason(const std::string& stage, double before, double after) {
   if (stage == "size limits") return after > before ? "hmin" : "hmax";
   if (stage == "stretch limit") return "the largest stretch";
   if (stage == "gradation") return "the gradation (smaller sizes nearby)";
-  return "the stage " + stage;
+  return stage;
 }
 
 /// Four digits are enough for people.
@@ -82,18 +82,31 @@ std::string rounded(double value) {
 std::string direction(Vector e) {
   if (e.x < 0 || (e.x == 0 && e.y < 0)) e = -e;
   const auto thousandths = [](double x) { return rounded(std::round(1000 * x) / 1000 + 0.); };
-  return "(" + thousandths(e.x) + ", " + thousandths(e.y) + ")";
+  return std::string("(")
+      .append(thousandths(e.x))
+      .append(", ")
+      .append(thousandths(e.y))
+      .append(")");
+}
+
+/// The stage before stage k, "scaled" left out: its sizes are those of the density times a factor,
+/// which is far off where the later limits make the number of vertices impossible.
+std::size_t stage_before(const std::vector<StageSizes>& stages, std::size_t k) {
+  do --k;
+  while (k > 0 && stages[k].stage == "scaled");
+  return k;
 }
 
 std::string sentence(const std::vector<StageSizes>& stages, double StageSizes::*size,
                      bool StageSizes::*decided, const std::string& which) {
   std::size_t k = 0;
   while (!(stages[k].*decided)) ++k;
-  const double before = stages[k == 0 ? 0 : k - 1].*size;
-  std::string text = "The size " + rounded(stages.back().*size) + " " + which + " is set by " +
-                     reason(stages[k].stage, before, stages[k].*size);
-  if (k > 0) text += "; before it was " + rounded(before);
-  return text + ".";
+  const double before = stages[k == 0 ? 0 : stage_before(stages, k)].*size;
+  std::string text = "The size ";
+  text.append(rounded(stages.back().*size)).append(" ").append(which).append(" is set by ");
+  text.append(reason(stages[k].stage, before, stages[k].*size));
+  if (k > 0) text.append("; before it was ").append(rounded(before));
+  return text.append(".");
 }
 
 }  // namespace
@@ -135,9 +148,10 @@ std::vector<StageSizes> explain_metric(const Mesh& mesh, const std::vector<Metri
 }
 
 std::string describe_stages(const std::vector<StageSizes>& stages) {
-  return sentence(stages, &StageSizes::h1, &StageSizes::decided_h1,
-                  "along " + direction(stages.back().e1)) +
-         "\n" + sentence(stages, &StageSizes::h2, &StageSizes::decided_h2, "across");
+  const std::string along = std::string("along ").append(direction(stages.back().e1));
+  return sentence(stages, &StageSizes::h1, &StageSizes::decided_h1, along)
+      .append("\n")
+      .append(sentence(stages, &StageSizes::h2, &StageSizes::decided_h2, "across"));
 }
 
 double plate_stretch_limit(double length, double thickness) {

@@ -32,6 +32,7 @@ struct SolvedModel {
   std::function<std::vector<double>(const Location&)> flux_at;
   /// Energy norms of the error and of the solution, where it is known.
   std::optional<double> true_error, true_energy;
+  double truth_seconds = 0;  ///< that finding these took
   std::optional<SolvedGoal> goal;
   std::vector<NamedValue> values;
   std::vector<Analysis::Field> vertex_fields;

@@ -11,7 +11,7 @@ namespace {
 
 /// The smallest size of plates as a share of the thickness: layers are t/3 wide.
 constexpr double kLeastSizeOfPlates = 0.01;
-constexpr double kGradationOfProblems = 2;
+constexpr double kGradationOfProblems = 3;
 
 double longer_side(const Domain& domain) {
   const Box box = control_box(domain);

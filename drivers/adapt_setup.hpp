@@ -14,7 +14,7 @@ Box control_box(const Domain& domain);
 /// Limits that the study gives; the preset paper limits no gradation.
 MetricLimits prescribed_limits(const Study& study);
 
-/// The same for errors of a problem, with defaults: gradation 2, hmin of plates t/100, their
+/// The same for errors of a problem, with defaults: gradation 3, hmin of plates t/100, their
 /// stretch by plate_stretch_limit() with the longer side of the plate (twice that of the domain
 /// when it ends at a line of symmetry).
 MetricLimits problem_limits(const Study& study, const Domain& domain);

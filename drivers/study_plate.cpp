@@ -24,31 +24,9 @@ void require_material(TomlTable& table) {
     table.required(table.has(key) ? std::optional(true) : std::nullopt, key);
 }
 
-struct Held {
-  bool deflection, normal_rotation, tangential_rotation;
-};
-Held held_by(SupportKind kind) {
-  switch (kind) {
-    case SupportKind::clamped:
-      return {true, true, true};
-    case SupportKind::soft_clamped:
-      return {true, true, false};
-    case SupportKind::hard_support:
-    case SupportKind::antisymmetry:
-      return {true, false, true};
-    case SupportKind::soft_support:
-      return {true, false, false};
-    case SupportKind::symmetry:
-      return {false, true, false};
-    case SupportKind::free:
-      break;
-  }
-  return {false, false, false};
-}
-
 /// A force or couple does no work where the support holds what it acts on.
 void check_contradictions(TomlTable& entry, const PlateBoundaryText& boundary) {
-  const Held held = held_by(boundary.support);
+  const HeldComponents held = held_components(boundary.support);
   const auto refuse = [&](const char* key, const char* what) {
     entry.fail(key, fmt::format("contradicts support = \"{}\", which {}",
                                 name_of(kSupportNames, boundary.support), what));

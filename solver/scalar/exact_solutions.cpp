@@ -12,13 +12,13 @@ constexpr double kPi = std::numbers::pi;
 /// pq = e^(-1/eps), g = (1 - p)(1 - q) / (1 + pq), which neither overflows nor cancels.
 struct Layer {
   double epsilon;
+  double divisor = 1 + std::exp(-1 / epsilon);  ///< 1 + pq
 
   double value(double s) const {
-    return std::expm1(-s / epsilon) * std::expm1(-(1 - s) / epsilon) / (1 + std::exp(-1 / epsilon));
+    return std::expm1(-s / epsilon) * std::expm1(-(1 - s) / epsilon) / divisor;
   }
   double slope(double s) const {
-    return (std::exp(-s / epsilon) - std::exp(-(1 - s) / epsilon)) /
-           (epsilon * (1 + std::exp(-1 / epsilon)));
+    return (std::exp(-s / epsilon) - std::exp(-(1 - s) / epsilon)) / (epsilon * divisor);
   }
   /// g'' = (g - 1) / eps^2.
   double bend(double s) const { return (value(s) - 1) / (epsilon * epsilon); }

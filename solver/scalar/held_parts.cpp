@@ -1,43 +1,22 @@
 #include "solver/scalar/held_parts.hpp"
 
-#include <algorithm>
-#include <numeric>
 #include <string>
 
 #include "mesher/geometry/describe.hpp"
 #include "mesher/geometry/error.hpp"
+#include "solver/space/disjoint_sets.hpp"
 #include "solver/space/element_map.hpp"
 #include "solver/space/reference_quadrature.hpp"
 
 namespace anisofront {
 namespace {
 
-/// Sets of vertices, named by their smallest member.
-class Parts {
- public:
-  explicit Parts(std::size_t vertices) : parent_(vertices) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  Index of(Index v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  void join(Index v, Index w) {
-    v = of(v);
-    w = of(w);
-    parent_[std::max(v, w)] = std::min(v, w);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
-
-Parts parts_of(const Mesh& mesh) {
-  Parts parts(mesh.points.size());
+DisjointSets parts_of(const Mesh& mesh) {
+  DisjointSets parts(mesh.points.size());
   for (const Triangle& t : mesh.triangles)
-    for (const Index v : t) parts.join(t[0], v);
+    for (const Index v : t) parts.unite(t[0], v);
   for (const Quad& q : mesh.quads)
-    for (const Index v : q) parts.join(q[0], v);
+    for (const Index v : q) parts.unite(q[0], v);
   return parts;
 }
 
@@ -56,19 +35,19 @@ bool has_transfer(const FeMesh& mesh, Index curve_edge, const Coefficient& trans
   return false;
 }
 
-void hold_by_transfer(const FeMesh& mesh, const ScalarProblem& problem, Parts& parts,
+void hold_by_transfer(const FeMesh& mesh, const ScalarProblem& problem, DisjointSets& parts,
                       std::vector<char>& held) {
   for (Index i = 0; i < static_cast<Index>(mesh.mesh.edges.size()); ++i)
     for (const FluxCondition& condition : problem.fluxes)
       if (condition.tag == mesh.mesh.edges[i].tag && has_transfer(mesh, i, condition.transfer))
-        held[parts.of(mesh.mesh.edges[i].vertices[0])] = 1;
+        held[parts.find(mesh.mesh.edges[i].vertices[0])] = 1;
 }
 
-void hold_by_reaction(const FeMesh& mesh, const ScalarProblem& problem, Parts& parts,
+void hold_by_reaction(const FeMesh& mesh, const ScalarProblem& problem, DisjointSets& parts,
                       std::vector<char>& held) {
   for (Index e = 0; e < mesh.element_count(); ++e) {
     const Element element = element_at(mesh, e);
-    const Index part = parts.of(element.vertices[0]);
+    const Index part = parts.find(element.vertices[0]);
     if (!held[part] && has_reaction(element, problem.reaction.in(element.region))) held[part] = 1;
   }
 }
@@ -86,16 +65,16 @@ void hold_by_reaction(const FeMesh& mesh, const ScalarProblem& problem, Parts& p
 
 void require_held_parts(const FeMesh& mesh, const ScalarProblem& problem,
                         std::span<const Constraint> constraints) {
-  Parts parts = parts_of(mesh.mesh);
+  DisjointSets parts = parts_of(mesh.mesh);
   const auto vertices = static_cast<Index>(mesh.mesh.points.size());
   std::vector<char> held(mesh.mesh.points.size(), 0);
   for (const Constraint& constraint : constraints)
-    if (constraint.unknown < vertices) held[parts.of(constraint.unknown)] = 1;
+    if (constraint.unknown < vertices) held[parts.find(constraint.unknown)] = 1;
   hold_by_transfer(mesh, problem, parts, held);
   if (!problem.reaction.is_zero()) hold_by_reaction(mesh, problem, parts, held);
   for (Index e = 0; e < mesh.element_count(); ++e) {
     const Element element = element_at(mesh, e);
-    if (!held[parts.of(element.vertices[0])]) throw_free(mesh.mesh, element);
+    if (!held[parts.find(element.vertices[0])]) throw_free(mesh.mesh, element);
   }
 }
 

@@ -58,8 +58,8 @@ TEST_CASE("the entry of a prescribed list that sets a size is named") {
       "{ h1 = \"0.2\", h2 = \"2\", e1 = [\"0\", \"1\"] }]";
   const Result result = explain(study, {"--at", "0.5,0.5", "--set", list});
   CHECK(result.code == 0);
-  CHECK(has(result.out, "The size 0.1 along (1, 0) is set by the stage prescribed[0]."));
-  CHECK(has(result.out, "The size 0.2 across is set by the stage prescribed[1]; before it was 1."));
+  CHECK(has(result.out, "The size 0.1 along (1, 0) is set by prescribed[0]."));
+  CHECK(has(result.out, "The size 0.2 across is set by prescribed[1]; before it was 1."));
   CHECK(has(result.out, "The formulas themselves ask for 0.1 and 0.2 there"));
   CHECK(has(result.out, "prescribed[1]: h1 = \"0.2\", h2 = \"2\", e1 = [\"0\", \"1\"]"));
   const Result limited =
