@@ -60,9 +60,10 @@ Cycle next_cycle(const LoopInput& input, const Cycle& last, const Monitor& monit
 }
 
 /// The last finished cycle of an earlier run as it was when it had just been analysed.
-Cycle resumed_cycle(const LoopInput& input) {
+Cycle resumed_cycle(const LoopInput& input, const Monitor& monitor) {
   Cycle cycle;
   for (const FinishedCycle& done : input.done) {
+    monitor.report("resume", static_cast<double>(done.record.cycle) / input.cycles);
     cycle.mesh = done.mesh;
     cycle.record = done.record;
     cycle.analysis = input.analyse(cycle.mesh, cycle.record.cycle);
@@ -104,7 +105,7 @@ VariantHistory adapt_loop(const LoopInput& input, const Monitor& monitor) {
     history.cycles.push_back(done.record);
     meshes.push_back(done.mesh);
   }
-  Cycle cycle = input.done.empty() ? initial_cycle(input, monitor) : resumed_cycle(input);
+  Cycle cycle = input.done.empty() ? initial_cycle(input, monitor) : resumed_cycle(input, monitor);
   for (bool is_new = input.done.empty();; is_new = true) {
     if (is_new) {
       history.cycles.push_back(cycle.record);

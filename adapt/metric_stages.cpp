@@ -32,12 +32,23 @@ MetricField layer_part(const Mesh& mesh, const LayerFrame& frame, const LayerSet
   return field;
 }
 
-std::vector<MetricStage> stages_of(const Mesh& mesh, const PrincipalField& density,
-                                   const MetricField& layer, const MetricMeasure& measure,
-                                   double vertices, const MetricLimits& limits,
-                                   const ScaledMetric& result) {
-  const double alone = scale_metric(mesh, density, measure, vertices, {}).factor;
+/// What the stages are made of. `curvature`: the density of the Hessians alone, empty when it is
+/// the density.
+struct StageParts {
+  PrincipalField curvature, density;
+  MetricField layer;
+};
+
+std::vector<MetricStage> stages_of(const Mesh& mesh, const StageParts& parts,
+                                   const MetricMeasure& measure, double vertices,
+                                   const MetricLimits& limits, const ScaledMetric& result) {
+  const auto& [curvature, density, layer] = parts;
+  const auto unlimited = [&](const PrincipalField& field) {
+    return scale_metric(mesh, field, measure, vertices, {});
+  };
   std::vector<MetricStage> stages;
+  if (!curvature.empty()) stages.push_back({"curvature", unlimited(curvature).field});
+  const double alone = unlimited(density).factor;
   const auto add = [&](const char* name, double factor, std::span<const Metric> beside,
                        const MetricLimits& with) {
     stages.push_back({name, bounded_metric(density, factor, with, beside)});
@@ -63,6 +74,7 @@ void mark_decision(std::vector<StageSizes>& sizes, double StageSizes::*size,
 }
 
 std::string reason(const std::string& stage, double before, double after) {
+  if (stage == "curvature") return "the curvature of the solution";
   if (stage == "density") return "the error";
   if (stage == "layer") return "the a-priori metric of the layer";
   if (stage == "size limits") return after > before ? "hmin" : "hmax";
@@ -117,16 +129,19 @@ StagedMetric make_metric(const FeMesh& fe, FieldHessians fields, const LayerSett
   const Mesh& mesh = fe.mesh;
   const LayerFrame frame = layer_frame(fe, layers);
   if (options.align) align_with_layers(frame, layers.reach * layers.width, fields);
-  PrincipalField density = metric_density(mesh, fields, options.density);
-  if (!contributions.values.empty())
+  StageParts parts{{}, metric_density(mesh, fields, options.density), {}};
+  if (!contributions.values.empty()) {
+    if (options.keep_stages) parts.curvature = parts.density;
     equidistribute(mesh, contributions.values, contributions.order, options.limits.stretch,
-                   density);
-  const MetricField layer = layer_part(mesh, frame, layers, options);
+                   parts.density);
+  }
+  parts.layer = layer_part(mesh, frame, layers, options);
   const MetricMeasure measure = vertex_measure(mesh, options.elements);
-  ScaledMetric scaled = scale_metric(mesh, density, measure, vertices, options.limits, layer);
+  ScaledMetric scaled =
+      scale_metric(mesh, parts.density, measure, vertices, options.limits, parts.layer);
   StagedMetric result;
   if (options.keep_stages)
-    result.stages = stages_of(mesh, density, layer, measure, vertices, options.limits, scaled);
+    result.stages = stages_of(mesh, parts, measure, vertices, options.limits, scaled);
   result.field = std::move(scaled.field);
   result.measure = scaled.measure;
   return result;

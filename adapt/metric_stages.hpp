@@ -10,7 +10,7 @@ namespace anisofront {
 
 /// The metric after one stage of its making.
 struct MetricStage {
-  std::string name;  ///< "density", "scaled", "layer", "size limits", "stretch limit", "gradation"
+  std::string name;  ///< see make_metric()
   MetricField field;
 };
 
@@ -39,6 +39,7 @@ struct Contributions {
 
 /// Hessians -> aligned -> density (equidistributed) -> scaled (with the layer metric, which keeps
 /// its sizes) so that the metric with all limits on asks for `vertices`. The stages:
+///   "curvature"      the Hessians alone, scaled as the next; only when it was equidistributed
 ///   "density"        what the error alone asks for: scaled to `vertices` without limits
 ///   "scaled"         the same by the factor that makes up for what the later stages add or take
 ///   "layer"          intersected with layer_metric(); only when it is used

@@ -149,6 +149,7 @@ AdaptSettings adapt_settings(const Study& study, const Domain& domain) {
   settings.limits = problem_limits(study, domain);
   settings.layers = layer_settings(study, domain);
   settings.align = adapt.align;
+  settings.equidistribute = adapt.equidistribute;
   // Isotropic elements that resolve a layer from the start are as many as its length asks for.
   settings.layer_metric = adapt.layer.metric.value_or(adapt.mode == AdaptMode::anisotropic);
   settings.elements = study.elements;

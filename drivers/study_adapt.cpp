@@ -183,6 +183,7 @@ AdaptSection parse_adapt(TomlTable table) {
       table.choice("combination", names_of(kCombinationNames), kCombinationNames[0].name));
   adapt.curvature_floor = read_floor(table, adapt.curvature_floor);
   adapt.align = table.boolean("align").value_or(adapt.align);
+  adapt.equidistribute = table.boolean("equidistribute").value_or(adapt.equidistribute);
   adapt.layer = read_layer(table);
   adapt.goal = read_goal(table);
   adapt.reference = read_reference(table);
@@ -194,9 +195,9 @@ AdaptSection parse_adapt(TomlTable table) {
 }
 
 const std::vector<std::string>& keys_for_problems() {
-  static const std::vector<std::string> keys{"target", "norm",  "combination", "curvature_floor",
-                                             "align",  "layer", "goal",        "reference",
-                                             "plateau"};
+  static const std::vector<std::string> keys{
+      "target",         "norm",  "combination", "curvature_floor", "align",
+      "equidistribute", "layer", "goal",        "reference",       "plateau"};
   return keys;
 }
 

@@ -50,6 +50,7 @@ struct AdaptSection {
   Combination combination = Combination::sum_of_squares;
   double curvature_floor = DensityOptions{}.curvature_floor;
   bool align = true;
+  bool equidistribute = true;  ///< the estimate decides how dense the elements are
   LayerText layer;
   std::optional<GoalText> goal;
   std::optional<ReferenceText> reference;

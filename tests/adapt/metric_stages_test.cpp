@@ -109,6 +109,27 @@ TEST_SUITE("unit") {
     CHECK(staged(mesh, 500, {}).stages.size() == 5);
   }
 
+  TEST_CASE("where contributions set the density the curvature alone is a stage before it") {
+    const Mesh mesh = square_mesh(10);
+    std::vector<double> contributions(mesh.triangles.size(), 1.);
+    contributions[0] = 100;
+    StageOptions options;
+    options.keep_stages = true;
+    const FieldHessians fields{std::vector<Hessian>(mesh.points.size(), Hessian{4, 0, 1})};
+    const StagedMetric metric =
+        make_metric(straight_fe_mesh(mesh), fields, {}, 300, options, {contributions, 1});
+    REQUIRE(metric.stages.size() == 6);
+    CHECK(metric.stages[0].name == "curvature");
+    CHECK(metric.stages[1].name == "density");
+    CHECK(expected_vertices(mesh, metric.stages[0].field) == doctest::Approx(300).epsilon(1e-3));
+    // Equal curvature asks for equal sizes, the contribution of the first element for smaller ones.
+    const MetricField &by_curvature = metric.stages[0].field, &by_error = metric.stages[1].field;
+    const auto first = static_cast<std::size_t>(mesh.triangles[0][0]);
+    CHECK(by_curvature[first].m11 == doctest::Approx(by_curvature[60].m11));
+    CHECK(by_error[first].m11 > 2 * by_error[60].m11);
+    CHECK(explain_metric(mesh, metric.stages, mesh.points[first])[1].decided_h1);
+  }
+
   TEST_CASE("where nothing limits the metric the error decides") {
     const Mesh mesh = graded_square(20);
     const auto [h1, h2] = decision_at(mesh, staged(mesh, 1000, {}), {0.2, 0.5});

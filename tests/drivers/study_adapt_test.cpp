@@ -62,6 +62,7 @@ norm = "L1.5"
 combination = "intersection"
 curvature_floor = 1e-3
 align = false
+equidistribute = false
 layer = { curves = ["left"], width = 0.1, first_size = 0.25, reach = 8, growth = 0, metric = true }
 goal = { kind = "patch-mean", at = [0.5, 0.25], radius = 0.1, steer = false }
 reference = { nodes = 9000 }
@@ -79,6 +80,7 @@ stages = true)")
   CHECK(adapt.combination == Combination::intersection);
   CHECK(adapt.curvature_floor == 1e-3);
   CHECK_FALSE(adapt.align);
+  CHECK_FALSE(adapt.equidistribute);
   CHECK(adapt.layer.growth == 0);
   CHECK(adapt.layer.metric == true);
   REQUIRE(adapt.goal);
@@ -108,6 +110,7 @@ TEST_CASE("what the adapt table leaves out has defaults") {
   CHECK(settings.limits.gradation == 3);
   CHECK(settings.layers.tags.empty());
   CHECK(settings.align);
+  CHECK(settings.equidistribute);
   CHECK_FALSE(settings.use_goal);
   CHECK_FALSE(settings.keep_stages);
 }
