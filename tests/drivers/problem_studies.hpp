@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "drivers/study_file.hpp"
+#include "drivers/study/study_file.hpp"
 #include "tests/drivers/temporary_folder.hpp"
 
 namespace anisofront::testing {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "drivers/history_json.hpp"
-#include "drivers/program.hpp"
-#include "drivers/text.hpp"
+#include "drivers/base/text.hpp"
+#include "drivers/commands/program.hpp"
+#include "drivers/history/history_json.hpp"
 
 namespace anisofront::testing {
 

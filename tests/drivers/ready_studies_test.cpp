@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "drivers/loop_input.hpp"
-#include "drivers/study_file.hpp"
+#include "drivers/problem/loop_input.hpp"
+#include "drivers/study/study_file.hpp"
 
 namespace {
 

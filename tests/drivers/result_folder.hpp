@@ -4,8 +4,8 @@
 #include <set>
 #include <sstream>
 
-#include "drivers/history_json.hpp"
-#include "drivers/text.hpp"
+#include "drivers/base/text.hpp"
+#include "drivers/history/history_json.hpp"
 #include "tests/drivers/problem_studies.hpp"
 
 namespace anisofront::testing {

@@ -6,9 +6,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "drivers/loop_input.hpp"
-#include "drivers/run_study.hpp"
-#include "drivers/variant_run.hpp"
+#include "drivers/problem/loop_input.hpp"
+#include "drivers/run/run_study.hpp"
+#include "drivers/run/variant_run.hpp"
 #include "tests/drivers/program_call.hpp"
 #include "tests/drivers/result_folder.hpp"
 

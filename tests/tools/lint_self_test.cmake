@@ -53,7 +53,9 @@ expect_include_caught(mesher/mesh/check.cpp "#include <Eigen/Core>" "<Eigen/Core
 expect_include_caught(mesher/quads/matching.hpp "#include <lemon/matching.h>" "<lemon/matching.h>")
 expect_include_caught(mesher/quads/matching.cpp "#include <CGAL/number_utils.h>"
                       "<CGAL/number_utils.h>")
-expect_include_caught(drivers/main.cpp "#include <CGAL/number_utils.h>" "<CGAL/number_utils.h>")
+expect_include_caught(drivers/commands/main.cpp "#include <CGAL/number_utils.h>" "<CGAL/number_utils.h>")
+expect_include_caught(drivers/report/html.cpp "#include \"drivers/run/run_study.hpp\""
+                      "\"drivers/run/run_study.hpp\"")
 
 file(WRITE ${WORK}/mesher/stray/new.cpp "")
 run_lint(check_layers.cmake code output -DROOT=${WORK} -DNOTES=OFF)

@@ -1,0 +1,156 @@
+#include "drivers/run/run_study.hpp"
+
+#include <algorithm>
+#include <thread>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "drivers/base/text.hpp"
+#include "drivers/history/history_csv.hpp"
+#include "drivers/problem/loop_input.hpp"
+#include "drivers/report/report.hpp"
+#include "drivers/report/result_tables.hpp"
+#include "drivers/run/variant_run.hpp"
+
+namespace anisofront {
+namespace {
+
+namespace fs = std::filesystem;
+
+using State = EarlierRun::State;
+
+std::size_t cycle_count(const EarlierRun& earlier) { return earlier.record.history.cycles.size(); }
+
+/// What is done with the earlier results, in words; empty when there are none.
+std::string what_happens(const EarlierRun& earlier, EarlierResults use) {
+  if (earlier.state == State::finished)
+    return "finished by an earlier run with the same settings; --fresh runs it again";
+  if (earlier.state == State::other_settings)
+    return "the results in the folder have other settings; runs anew";
+  if (earlier.state == State::none) return {};
+  const std::size_t last = cycle_count(earlier) - 1;
+  if (use == EarlierResults::resume) return fmt::format("goes on after cycle {}", last);
+  return fmt::format("an earlier run was not finished; runs anew (--resume goes on after cycle {})",
+                     last);
+}
+
+EarlierRun usable_earlier_run(const VariantJob& job, const std::string& key,
+                              const RunOptions& options, Console& console) {
+  EarlierRun earlier;
+  if (options.earlier != EarlierResults::ignore) earlier = read_earlier_run(job.folder, key);
+  if (!earlier.damage.empty())
+    console.warn(fmt::format("{}: {}: {} complete cycles before it can be used", job.variant->name,
+                             earlier.damage, cycle_count(earlier)));
+  const std::string text = what_happens(earlier, options.earlier);
+  if (!text.empty()) console.say(job.variant->name + ": " + text);
+  const bool is_used =
+      earlier.state == State::finished ||
+      (earlier.state == State::unfinished && options.earlier == EarlierResults::resume);
+  if (!is_used) earlier = {};
+  earlier.record.key = key;
+  return earlier;
+}
+
+std::vector<VariantJob> prepare(const StudyFile& study, const RunOptions& options,
+                                Console& console) {
+  std::vector<VariantJob> jobs;
+  for (const Variant& variant : study.variants) {
+    VariantJob job{&variant, options.directory / variant.name, {}, {}};
+    job.earlier = usable_earlier_run(job, variant_key(study, variant), options, console);
+    if (job.earlier.state != State::finished)
+      job.input = loop_input(variant.study, console.monitor(variant.name));
+    jobs.push_back(std::move(job));
+  }
+  return jobs;
+}
+
+std::vector<Outcome> run_jobs(std::vector<VariantJob> jobs, const RunOptions& options,
+                              Console& console) {
+  std::vector<Outcome> outcomes(jobs.size());
+  Progress progress;
+  progress.total = 0;
+  for (const VariantJob& job : jobs)
+    progress.total +=
+        job.input ? job.input->cycles + 1 : static_cast<int>(cycle_count(job.earlier));
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < jobs.size(); i = next++)
+      outcomes[i] = run_variant(std::move(jobs[i]), options.cancelled, console, progress);
+  };
+  std::vector<std::jthread> helpers;
+  for (int i = 1; i < options.threads; ++i) helpers.emplace_back(work);
+  work();
+  helpers.clear();
+  console.end_progress();
+  return outcomes;
+}
+
+/// The words of reason_to_stop() for a budget.
+bool is_budget_stop(const VariantHistory& history) {
+  return history.stop_reason.starts_with("budget");
+}
+
+int exit_code(const std::vector<Outcome>& outcomes) {
+  int failure = 0;
+  bool has_budget_stop = false, has_missed = false;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.failure == ErrorKind::interrupted) return static_cast<int>(ErrorKind::interrupted);
+    if (outcome.failure && failure == 0) failure = static_cast<int>(*outcome.failure);
+    has_budget_stop = has_budget_stop || is_budget_stop(outcome.history);
+    has_missed = has_missed || outcome.history.target == TargetState::missed;
+  }
+  if (failure != 0) return failure;
+  if (has_budget_stop) return static_cast<int>(ErrorKind::budget);
+  return has_missed ? 1 : 0;
+}
+
+void write_tables(const Json& history, const fs::path& directory) {
+  write_text_file(directory / "history.json",
+                  history.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_text_file(directory / "history.csv", history_csv(history));
+  fs::remove(directory / "comparison.csv");
+  if (!history["comparison"].empty())
+    write_text_file(directory / "comparison.csv", comparison_csv(history));
+}
+
+void write_results(const StudyFile& study, const std::vector<Outcome>& outcomes,
+                   const std::vector<std::string>& keys, const fs::path& directory,
+                   Console& console) {
+  std::vector<VariantHistory> variants;
+  bool has_cycles = false;
+  for (const Outcome& outcome : outcomes) {
+    variants.push_back(outcome.history);
+    has_cycles = has_cycles || !outcome.history.cycles.empty();
+  }
+  if (!has_cycles) return;
+  const Json history = history_json(study.title, variants, keys);
+  write_text_file(directory / "study.toml", study.resolved);
+  write_tables(history, directory);
+  for (const std::string& problem : make_report(directory)) console.warn(problem);
+  console.say(console_summary(history));
+  console.say("results in " + directory.string() +
+              ", page: " + (directory / "report.html").string());
+}
+
+void explain_exit_code(int code, Console& console) {
+  if (code == 1) console.warn("the target error was missed; see stop_reason in history.json");
+  if (code == static_cast<int>(ErrorKind::budget))
+    console.warn("a budget was reached; see stop_reason in history.json");
+  if (code == static_cast<int>(ErrorKind::interrupted))
+    console.warn("interrupted; finished cycles are kept, --resume goes on from them");
+}
+
+}  // namespace
+
+int run_study(const StudyFile& study, const RunOptions& options, Console& console) {
+  std::vector<VariantJob> jobs = prepare(study, options, console);
+  std::vector<std::string> keys;
+  for (const VariantJob& job : jobs) keys.push_back(job.earlier.record.key);
+  const std::vector<Outcome> outcomes = run_jobs(std::move(jobs), options, console);
+  write_results(study, outcomes, keys, options.directory, console);
+  const int code = exit_code(outcomes);
+  explain_exit_code(code, console);
+  return code;
+}
+
+}  // namespace anisofront
