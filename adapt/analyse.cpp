@@ -14,11 +14,18 @@ namespace {
 /// A metric whose size misses what was asked for by more than this share deserves a warning.
 constexpr double kTargetTolerance = 0.01;
 
-/// What an analysis passes on from one of its steps to the next.
+struct EstimatedGoal {
+  RecoveredFlux dual;
+  GoalEstimate estimate;
+};
+
+/// A solution with its recovery and estimates, which the metric is made of. What is only for the
+/// record has been moved into the analysis.
 struct Estimated {
-  int order = 1;
-  FieldHessians hessians;
-  std::vector<double> contributions;  ///< of the elements to what steers
+  SolvedModel solved;
+  RecoveredFlux recovered;
+  std::vector<double> contributions;  ///< of the elements to the squared energy error
+  std::optional<EstimatedGoal> goal;
 };
 
 CycleError errors_of(const ErrorEstimate& estimate, const SolvedModel& solved) {
@@ -37,6 +44,43 @@ Monitor recorder(Analysis& analysis) {
   return monitor;
 }
 
+SolvedModel solve(const FeMesh& mesh, const Model& model, Analysis& analysis) {
+  Stopwatch watch;
+  SolvedModel solved = model(mesh, recorder(analysis));
+  analysis.solve_seconds = watch.lap() - solved.aside_seconds;
+  return solved;
+}
+
+/// Records the goal with its error.
+EstimatedGoal estimate_goal_of(const FeMesh& mesh, const SolvedModel& solved,
+                               const RecoveredFlux& recovered, Analysis& analysis) {
+  const SolvedGoal& goal = *solved.goal;
+  RecoveredFlux dual(mesh, goal.dual);
+  GoalEstimate estimate = estimate_goal(mesh, solved.flux, recovered, goal.dual, dual, goal.tying);
+  analysis.goal = GoalRecord{goal.value, estimate.error};
+  analysis.element_fields.push_back({"goal indicator", 1, estimate.indicators});
+  return {std::move(dual), std::move(estimate)};
+}
+
+/// Fills everything of the analysis but the metric.
+Estimated estimate(const FeMesh& mesh, SolvedModel solved, Analysis& analysis) {
+  Stopwatch watch;
+  RecoveredFlux recovered(mesh, solved.flux);
+  ErrorEstimate energy = estimate_by_recovery(mesh, solved.flux, recovered, solved.extra_energy);
+  analysis.error = errors_of(energy, solved);
+  analysis.dofs = solved.dofs;
+  analysis.values = std::move(solved.values);
+  analysis.vertex_fields = std::move(solved.vertex_fields);
+  analysis.profiles = std::move(solved.profiles);
+  std::vector<double> contributions;
+  for (const double indicator : energy.indicators) contributions.push_back(indicator * indicator);
+  analysis.element_fields.push_back({"indicator", 1, std::move(energy.indicators)});
+  std::optional<EstimatedGoal> goal;
+  if (solved.goal) goal.emplace(estimate_goal_of(mesh, solved, recovered, analysis));
+  analysis.estimate_seconds = watch.lap();
+  return {std::move(solved), std::move(recovered), std::move(contributions), std::move(goal)};
+}
+
 FieldHessians field_hessians(const FeMesh& mesh, const std::vector<double>& curvature_values,
                              int components, const RecoveredFlux& recovered) {
   if (!curvature_values.empty()) return hessians_of(mesh.mesh, curvature_values, components);
@@ -44,50 +88,22 @@ FieldHessians field_hessians(const FeMesh& mesh, const std::vector<double>& curv
                      AcrossInterfaces::jump);
 }
 
-/// Records the goal with its error; returns the Hessians that its metric is made of.
-FieldHessians analyse_goal(const FeMesh& mesh, const SolvedModel& solved,
-                           const RecoveredFlux& recovered, const FieldHessians& hessians,
-                           Analysis& analysis) {
-  const SolvedGoal& goal = *solved.goal;
-  const RecoveredFlux dual(mesh, goal.dual);
-  GoalEstimate estimate = estimate_goal(mesh, solved.flux, recovered, goal.dual, dual, goal.tying);
-  analysis.goal = GoalRecord{goal.value, estimate.error};
-  const FieldHessians dual_hessians =
-      field_hessians(mesh, goal.dual_curvature_values, solved.curvature_components, dual);
-  FieldHessians weighted{goal_hessians(hessians, dual_hessians, estimate)};
-  analysis.element_fields.push_back({"goal indicator", 1, std::move(estimate.indicators)});
-  return weighted;
+/// Of what steers: the solution, or solution and dual weighted by each other's errors.
+FieldHessians metric_hessians(const FeMesh& mesh, const Estimated& estimated, bool use_goal) {
+  const SolvedModel& solved = estimated.solved;
+  FieldHessians hessians = field_hessians(mesh, solved.curvature_values,
+                                          solved.curvature_components, estimated.recovered);
+  if (!use_goal) return hessians;
+  const FieldHessians dual = field_hessians(mesh, solved.goal->dual_curvature_values,
+                                            solved.curvature_components, estimated.goal->dual);
+  return {goal_hessians(hessians, dual, estimated.goal->estimate)};
 }
 
-/// Solves and estimates; fills everything of the analysis but the metric.
-Estimated solve_and_estimate(const FeMesh& mesh, const Model& model, bool use_goal,
-                             Analysis& analysis) {
-  Stopwatch watch;
-  SolvedModel solved = model(mesh, recorder(analysis));
-  analysis.solve_seconds = watch.lap() - solved.truth_seconds;
-  const RecoveredFlux recovered(mesh, solved.flux);
-  ErrorEstimate estimate = estimate_by_recovery(mesh, solved.flux, recovered, solved.extra_energy);
-  analysis.error = errors_of(estimate, solved);
-  analysis.dofs = solved.dofs;
-  analysis.values = std::move(solved.values);
-  analysis.vertex_fields = std::move(solved.vertex_fields);
-  analysis.estimate_seconds = watch.lap();
-  Estimated estimated{
-      solved.order,
-      field_hessians(mesh, solved.curvature_values, solved.curvature_components, recovered),
-      {}};
-  for (const double indicator : estimate.indicators)
-    estimated.contributions.push_back(indicator * indicator);
-  analysis.element_fields.push_back({"indicator", 1, std::move(estimate.indicators)});
-  if (solved.goal) {
-    FieldHessians weighted = analyse_goal(mesh, solved, recovered, estimated.hessians, analysis);
-    if (use_goal) {
-      estimated.hessians = std::move(weighted);
-      estimated.contributions = analysis.element_fields.back().values;
-    }
-  }
-  analysis.metric_seconds = watch.lap();
-  return estimated;
+void require_goal(const AdaptSettings& settings, const Estimated& estimated) {
+  if (settings.use_goal && !estimated.goal)
+    throw UsageError(
+        "the goal is to steer the metric, but the model has none: give it one (Goal), or leave "
+        "use_goal off");
 }
 
 std::string limit_warning(double wanted, double reached) {
@@ -111,21 +127,24 @@ StageOptions stage_options(const AdaptSettings& settings, int cycle) {
   return options;
 }
 
-void add_metric(const FeMesh& mesh, Estimated estimated, const AdaptSettings& settings, int cycle,
-                Analysis& analysis) {
+void add_metric(const FeMesh& mesh, const Estimated& estimated, const AdaptSettings& settings,
+                int cycle, Analysis& analysis) {
   Stopwatch watch;
+  require_goal(settings, estimated);
   const SteeringError steering = settings.use_goal ? steering_error(*analysis.goal, cycle)
                                                    : steering_error(analysis.error, cycle);
-  // Errors of a goal are products of two energy errors.
-  const int order = settings.use_goal ? 2 * estimated.order : estimated.order;
+  const int order = estimated.solved.order;
   analysis.target = target_state(settings.target, steering);
-  const double wanted =
-      next_vertices(settings.target, order, static_cast<double>(mesh.mesh.points.size()), steering);
-  Contributions contributions{{}, estimated.order};
+  // Errors of a goal are products of two energy errors.
+  const double wanted = next_vertices(settings.target, settings.use_goal ? 2 * order : order,
+                                      static_cast<double>(mesh.mesh.points.size()), steering);
+  Contributions contributions{{}, order};
   if (settings.equidistribute && cycle >= kTrustedCycle)
-    contributions.values = std::move(estimated.contributions);
-  StagedMetric metric = make_metric(mesh, std::move(estimated.hessians), settings.layers, wanted,
-                                    stage_options(settings, cycle), contributions);
+    contributions.values =
+        settings.use_goal ? estimated.goal->estimate.indicators : estimated.contributions;
+  StagedMetric metric =
+      make_metric(mesh, metric_hessians(mesh, estimated, settings.use_goal), settings.layers,
+                  wanted, stage_options(settings, cycle), contributions);
   // On a coarse mesh an a-priori layer metric is known too badly to count its vertices.
   const bool is_counted = !(settings.layer_metric && cycle == 0);
   if (is_counted && std::abs(metric.measure - wanted) > kTargetTolerance * wanted)
@@ -133,7 +152,7 @@ void add_metric(const FeMesh& mesh, Estimated estimated, const AdaptSettings& se
   analysis.next_vertices = is_counted ? metric.measure : wanted;
   analysis.metric = std::move(metric.field);
   analysis.stages = std::move(metric.stages);
-  analysis.metric_seconds += watch.lap();
+  analysis.metric_seconds = watch.lap();
 }
 
 void require_positive(const Metric& m, Point p) {
@@ -146,14 +165,21 @@ void require_positive(const Metric& m, Point p) {
 
 }  // namespace
 
+Analysis analyse_solved(const FeMesh& mesh, SolvedModel solved, const AdaptSettings& settings,
+                        int cycle) {
+  Analysis analysis;
+  add_metric(mesh, estimate(mesh, std::move(solved), analysis), settings, cycle, analysis);
+  return analysis;
+}
+
 Analyse analyse_model(Model model, Domain domain, AdaptSettings settings) {
   require_one_target(settings.target);
   return [model = std::move(model), domain = std::move(domain), settings = std::move(settings)](
              const Mesh& mesh, int cycle) {
     Analysis analysis;
     const FeMesh fe = curved_fe_mesh(mesh, domain, recorder(analysis));
-    add_metric(fe, solve_and_estimate(fe, model, settings.use_goal, analysis), settings, cycle,
-               analysis);
+    SolvedModel solved = solve(fe, model, analysis);
+    add_metric(fe, estimate(fe, std::move(solved), analysis), settings, cycle, analysis);
     return analysis;
   };
 }
@@ -162,15 +188,17 @@ Analyse analyse_prescribed(MetricFunction metric, double gradation, Model model,
   return [metric = std::move(metric), gradation, model = std::move(model),
           domain = std::move(domain)](const Mesh& mesh, int) {
     Analysis analysis;
-    if (model)
-      solve_and_estimate(curved_fe_mesh(mesh, domain, recorder(analysis)), model, false, analysis);
+    if (model) {
+      const FeMesh fe = curved_fe_mesh(mesh, domain, recorder(analysis));
+      estimate(fe, solve(fe, model, analysis), analysis);
+    }
     Stopwatch watch;
     for (const Point& p : mesh.points) {
       analysis.metric.push_back(metric(p));
       require_positive(analysis.metric.back(), p);
     }
     if (gradation > 1) limit_gradation(mesh, analysis.metric, gradation);
-    analysis.metric_seconds += watch.lap();
+    analysis.metric_seconds = watch.lap();
     return analysis;
   };
 }

@@ -28,8 +28,13 @@ struct AdaptSettings {
 /// error.estimate is relative to the energy norm of the recovered solution, relative_energy to that
 /// of the exact one. Element fields "indicator" and, with a goal, "goal indicator"; vertex fields
 /// and values of the model.
-/// Throws UsageError unless exactly one target is set; the analysis throws what the model does.
+/// Throws UsageError unless exactly one target is set; the analysis throws what the model does, and
+/// UsageError when a goal is to steer that the model does not have.
 Analyse analyse_model(Model model, Domain domain, AdaptSettings settings);
+
+/// The same of a solution on the mesh that is there already.
+Analysis analyse_solved(const FeMesh& mesh, SolvedModel solved, const AdaptSettings& settings,
+                        int cycle);
 
 /// A prescribed metric, sampled at the vertices; `gradation` > 1 limits how fast the samples may
 /// change (limit_gradation), which a metric that jumps or turns within an edge needs. With a model,

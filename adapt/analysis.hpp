@@ -6,6 +6,7 @@
 
 #include "adapt/history.hpp"
 #include "adapt/metric_stages.hpp"
+#include "adapt/profile.hpp"
 
 namespace anisofront {
 
@@ -18,7 +19,7 @@ struct Analysis {
   CycleError error;
   std::optional<GoalRecord> goal;
   std::vector<NamedValue> values;
-  /// Without the true error, which no adaptive loop needs.
+  /// Without the true error and the profiles, which no adaptive loop needs.
   double solve_seconds = 0, estimate_seconds = 0, metric_seconds = 0;
   /// Named fields for output (solution first), `components` values per vertex or element.
   struct Field {
@@ -28,6 +29,7 @@ struct Analysis {
   };
   std::vector<Field> vertex_fields;
   std::vector<Field> element_fields;
+  std::vector<Profile> profiles;    ///< of the model
   std::vector<MetricStage> stages;  ///< when asked for
   /// reached: the loop stops after this mesh.
   TargetState target = TargetState::none;

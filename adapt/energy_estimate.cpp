@@ -4,14 +4,12 @@
 
 #include <cmath>
 
+#include "adapt/element_samples.hpp"
 #include "solver/scalar/element_sum.hpp"
-#include "solver/space/reference_quadrature.hpp"
 
 namespace anisofront {
 namespace {
 
-/// Squares of blended linear polynomials, exactly.
-constexpr int kBlendDegree = 4;
 constexpr int kReactionDegree = 5;
 
 struct Squares {
@@ -24,51 +22,32 @@ struct Squares {
   }
 };
 
-struct Difference {
-  const FluxSamples& samples;
-  const RecoveredFlux& recovered;
-
-  Squares at(const Element& element, ReferencePoint at, Point x, double weight,
-             Index sample) const {
+Squares difference_on(const Element& element, const FluxSamples& samples,
+                      const RecoveredFlux& recovered) {
+  Squares sum;
+  for_each_sampled_point(samples, element, [&](double weight, const SampledPoint& point) {
     std::array<double, kMaxFluxComponents> flux{};
-    recovered.evaluate(element, x, corner_functions(element.shape, at), flux.data());
-    const double* computed = &samples.values[static_cast<std::size_t>(sample) * samples.components];
+    recovered.evaluate(element, point.x, corner_functions(element.shape, point.at), flux.data());
+    const double* computed =
+        &samples.values[static_cast<std::size_t>(point.sample) * samples.components];
     Squares squares;
     for (int c = 0; c < samples.components; ++c) {
       squares.error += weight * (flux[c] - computed[c]) * (flux[c] - computed[c]);
       squares.energy += weight * flux[c] * flux[c];
     }
-    return squares;
-  }
-
-  /// The computed stresses are constant there, the recovered ones are not.
-  Squares over_constant(const Element& element, Index sample) const {
-    Squares sum;
-    for (const auto& [at, weight] : reference_quadrature(element.shape, kBlendDegree))
-      sum += this->at(element, at, map_at(element, at).x, 2 * weight * samples.weights[sample],
-                      sample);
-    return sum;
-  }
-
-  Squares over(const Element& element) const {
-    const Index first = samples.first[element.number], end = samples.first[element.number + 1];
-    if (end - first == 1 && element.shape == Shape::triangle) return over_constant(element, first);
-    Squares sum;
-    for (Index s = first; s < end; ++s)
-      sum += at(element, samples.at[s], samples.points[s], samples.weights[s], s);
-    return sum;
-  }
-};
+    sum += squares;
+  });
+  return sum;
+}
 
 }  // namespace
 
 ErrorEstimate estimate_by_recovery(const FeMesh& mesh, const FluxSamples& samples,
                                    const RecoveredFlux& recovered, double extra_energy) {
-  const Difference difference{samples, recovered};
   ErrorEstimate estimate;
   estimate.indicators.resize(mesh.element_count());
   const auto sum = element_sum<Squares>(mesh.element_count(), 0, [&](Index e) {
-    const Squares own = difference.over(element_at(mesh, e));
+    const Squares own = difference_on(element_at(mesh, e), samples, recovered);
     estimate.indicators[e] = std::sqrt(own.error);
     return own;
   });

@@ -5,14 +5,12 @@
 #include <string>
 
 #include "adapt/element_loop.hpp"
+#include "adapt/element_samples.hpp"
 #include "mesher/geometry/error.hpp"
-#include "solver/space/reference_quadrature.hpp"
 
 namespace anisofront {
 namespace {
 
-/// Products of blended linear polynomials, exactly.
-constexpr int kBlendDegree = 4;
 /// Smallest weight of a Hessian as a share of the largest (FE.md 4).
 constexpr double kLeastWeight = 1e-3;
 
@@ -29,13 +27,6 @@ struct Products {
       dual += weight * z[c] * z[c];
     }
   }
-};
-
-/// A point of an element with the sample whose computed stresses hold there.
-struct SampledPoint {
-  ReferencePoint at;
-  Point x;
-  Index sample;
 };
 
 /// Stresses of one solution, recovered and computed, and what tying takes from its shear strains.
@@ -62,23 +53,9 @@ struct Side {
   }
 };
 
-/// body(weight, point) over an element. Where one sample stands for a triangle the computed
-/// stresses are constant, the recovered ones are not.
-template <class Body>
-void over_element(const FluxSamples& samples, const Element& element, const Body& body) {
-  const Index first = samples.first[element.number], end = samples.first[element.number + 1];
-  if (end - first == 1 && element.shape == Shape::triangle) {
-    for (const auto& [at, weight] : reference_quadrature(element.shape, kBlendDegree))
-      body(2 * weight * samples.weights[first], SampledPoint{at, map_at(element, at).x, first});
-    return;
-  }
-  for (Index s = first; s < end; ++s)
-    body(samples.weights[s], SampledPoint{samples.at[s], samples.points[s], s});
-}
-
 Products products_on(const Element& element, const Side& primal, const Side& dual) {
   Products sum;
-  over_element(primal.samples, element, [&](double weight, const SampledPoint& point) {
+  for_each_sampled_point(primal.samples, element, [&](double weight, const SampledPoint& point) {
     Stresses u = primal.at(element, point), z = dual.at(element, point);
     sum.mixed -= weight * (dual.mismatch(point.sample, u) + primal.mismatch(point.sample, z));
     primal.subtract_computed(point.sample, u);

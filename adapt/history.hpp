@@ -11,6 +11,10 @@ namespace anisofront {
 /// Where a mesh stands with respect to the target error of the study.
 enum class TargetState { none, missed, reached };
 
+/// What ended a loop: all its cycles are done, the target error is reached, a stop rule
+/// (StopRules), or from outside a signal or an error.
+enum class StoppedBy { cycles, target, plateau, budget, interrupted, failed };
+
 /// CPU seconds of one cycle.
 struct CycleSeconds {
   double metric = 0, front = 0, enhance = 0, quads = 0, solve = 0, estimate = 0;
@@ -54,9 +58,10 @@ struct VariantHistory {
   std::string name;
   std::vector<std::pair<std::string, std::string>> settings;  ///< key, value as in the study file
   std::vector<CycleRecord> cycles;
-  std::string stop_reason;
+  std::string stop_reason;  ///< in words
   /// State of the last mesh; `missed` is exit code 1 of the program.
   TargetState target = TargetState::none;
+  std::optional<StoppedBy> stopped_by = {};  ///< empty while cycles are to follow
 };
 
 }  // namespace anisofront

@@ -67,20 +67,21 @@ Cycle resumed_cycle(const LoopInput& input, const Monitor& monitor) {
     cycle.mesh = done.mesh;
     cycle.record = done.record;
     cycle.analysis = input.analyse(cycle.mesh, cycle.record.cycle);
+    if (input.replayed) input.replayed(cycle.record, cycle.mesh, cycle.analysis);
   }
   return cycle;
 }
 
-std::string end_of_cycles(TargetState target, int cycles) {
+StopReason end_of_cycles(TargetState target, int cycles) {
   const std::string after = " after " + std::to_string(cycles) + " cycles";
-  if (target == TargetState::reached) return "target error reached" + after;
-  if (target == TargetState::missed) return "target error missed" + after;
-  return "finished" + after;
+  if (target == TargetState::reached) return {StoppedBy::target, "target error reached" + after};
+  if (target == TargetState::missed) return {StoppedBy::cycles, "target error missed" + after};
+  return {StoppedBy::cycles, "finished" + after};
 }
 
 /// The reason to stop after the last recorded cycle, if there is one.
-std::optional<std::string> stop_reason(const LoopInput& input, const VariantHistory& history,
-                                       const Cycle& last) {
+std::optional<StopReason> stop_reason(const LoopInput& input, const VariantHistory& history,
+                                      const Cycle& last) {
   if (last.record.cycle >= input.cycles || history.target == TargetState::reached)
     return end_of_cycles(history.target, last.record.cycle);
   return reason_to_stop(input.stop, history.cycles, last.analysis.next_vertices);
@@ -114,7 +115,8 @@ VariantHistory adapt_loop(const LoopInput& input, const Monitor& monitor) {
     }
     history.target = cycle.analysis.target;
     if (const auto reason = stop_reason(input, history, cycle)) {
-      history.stop_reason = *reason;
+      history.stop_reason = reason->words;
+      history.stopped_by = reason->by;
       break;
     }
     monitor.report("cycles", static_cast<double>(cycle.record.cycle) / input.cycles);

@@ -39,11 +39,13 @@ struct LoopInput {
   std::vector<FinishedCycle> done;
   /// Called with each finished cycle (the initial mesh included): write files, draw progress.
   std::function<void(const CycleRecord&, const Mesh&, const Analysis&)> finished;
+  /// Called with each cycle of `done` when it has been analysed again.
+  std::function<void(const CycleRecord&, const Mesh&, const Analysis&)> replayed;
 };
 
 /// Cycles 1..n: analyse the mesh of cycle k-1, generate mesh k; the last mesh is analysed too.
-/// Ends early when an analysis has reached its target or a stop rule holds; the reason is recorded
-/// in words. Statistics of cycle 0, which has no background, are taken against its own analysis
+/// Ends early when an analysis has reached its target or a stop rule holds; the reason is recorded.
+/// Statistics of cycle 0, which has no background, are taken against its own analysis
 /// metric. Warnings of an analysis are recorded and passed on to the monitor.
 /// Throws what generate() and analyse throw; cycles that `finished` has seen stay valid.
 VariantHistory adapt_loop(const LoopInput& input, const Monitor& monitor = {});

@@ -5,7 +5,7 @@
 
 #include "adapt/analysis.hpp"
 #include "adapt/goal.hpp"
-#include "adapt/point_location.hpp"
+#include "adapt/point_state.hpp"
 #include "solver/scalar/exact_solutions.hpp"
 
 namespace anisofront {
@@ -30,12 +30,14 @@ struct SolvedModel {
   int curvature_components = 1;
   /// Scaled stresses at a location of this mesh.
   std::function<std::vector<double>(const Location&)> flux_at;
+  PointState state;  ///< on this mesh
   /// Energy norms of the error and of the solution, where it is known.
   std::optional<double> true_error, true_energy;
-  double truth_seconds = 0;  ///< that finding these took
   std::optional<SolvedGoal> goal;
   std::vector<NamedValue> values;
   std::vector<Analysis::Field> vertex_fields;
+  std::vector<Profile> profiles;  ///< for the record; the models of this header leave none
+  double aside_seconds = 0;       ///< CPU time of true errors and profiles
 };
 
 /// Solves a problem on a mesh (which must outlive the result).

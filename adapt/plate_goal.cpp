@@ -30,6 +30,16 @@ void require_held(const Mesh& mesh, const PlateProblem& problem, Index tag) {
                      "force is a result");
 }
 
+double force_on(const Mesh& mesh, const PlateProblem& problem, const PlateSolution& solution,
+                Index tag) {
+  require_held(mesh, problem, tag);
+  for (const PlateReaction& reaction : solution.reactions)
+    if (reaction.tag == tag) return reaction.force;
+  throw InputError(
+      "goal: the force on " + describe_tag(mesh, 1, tag) +
+      ": the solution has no reaction there, expected one of the same problem and mesh");
+}
+
 /// A vertex counts to each support that holds it in equal parts (PlateReaction).
 ReactionShares reaction_shares(const FeMesh& mesh, const PlateProblem& problem, Index tag) {
   ReactionShares shares;
@@ -109,11 +119,7 @@ PlateProblem dual_problem(const FeMesh& mesh, const PlateProblem& problem, const
 
 double goal_value(const FeMesh& mesh, const PlateProblem& problem, const PlateSolution& solution,
                   const Goal& goal) {
-  if (goal.kind == Goal::Kind::curve_flux) {
-    require_held(mesh.mesh, problem, goal.tag);
-    for (const PlateReaction& reaction : solution.reactions)
-      if (reaction.tag == goal.tag) return reaction.force;
-  }
+  if (goal.kind == Goal::Kind::curve_flux) return force_on(mesh.mesh, problem, solution, goal.tag);
   return mean_of(mesh, goal_mean(mesh, goal), [&](const Element& element, ReferencePoint at) {
     return plate_state(mesh, problem, solution, element, at).w;
   });

@@ -77,6 +77,7 @@ Model plate_model(PlateProblem problem, PlateOptions options, ModelRequests requ
     solved.flux_at = [&mesh, shared, solution](const Location& l) {
       return plate_flux_at(mesh, *shared, *solution, l.element, l.at);
     };
+    solved.state = plate_point_state(mesh, shared, solution);
     const std::vector<PlateState> states = vertex_states(mesh, *shared, *solution);
     add_fields(states, solved);
     add_values(mesh, *shared, *solution, states, requests.points, solved);

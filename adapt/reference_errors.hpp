@@ -15,7 +15,7 @@ struct ReferenceSettings {
 
 /// The mesh is made from the anisotropic energy metric of the last cycle's solution, whatever mode
 /// and goal the cycles follow, of triangles; errors are energy_of_difference() relative to the
-/// energy norm of its solution. Solves the problem once more on every mesh.
+/// energy norm of its solution. Solves the problem once more on every mesh, in their order.
 MeasureErrors errors_against_reference(Model model, Domain domain, AdaptSettings settings,
                                        GenerateOptions generate, ReferenceSettings reference = {},
                                        Monitor monitor = {});

@@ -26,7 +26,7 @@ void add_truth(const FeMesh& mesh, const ScalarProblem& problem, const ExactSolu
                const ScalarField& field, SolvedModel& solved) {
   Stopwatch watch;
   const ErrorNorms norms = error_norms(mesh, problem, exact, field);
-  solved.truth_seconds = watch.lap();
+  solved.aside_seconds = watch.lap();
   solved.true_error = norms.energy;
   solved.true_energy = exact.squared_energy ? std::sqrt(*exact.squared_energy) : norms.exact_energy;
   solved.vertex_fields.push_back(
@@ -105,6 +105,7 @@ Model scalar_model(ScalarProblem problem, std::optional<ExactSolution> exact, Sc
     solved.flux_at = [&mesh, shared, solution](const Location& l) {
       return scalar_flux_at(mesh, *shared, solution->field, l.element, l.at);
     };
+    solved.state = scalar_point_state(mesh, solution);
     std::vector<double> u = vertex_values(mesh, solution->field);
     if (options.order == 1) solved.curvature_values = u;
     solved.vertex_fields.push_back({"u", 1, std::move(u)});

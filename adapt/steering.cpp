@@ -71,22 +71,27 @@ TargetState target_state(const Target& target, const SteeringError& error) {
                                                           : TargetState::missed;
 }
 
-std::optional<std::string> reason_to_stop(const StopRules& rules,
-                                          const std::vector<CycleRecord>& cycles, double next) {
+std::optional<StopReason> reason_to_stop(const StopRules& rules,
+                                         const std::vector<CycleRecord>& cycles, double next) {
   const std::string after = " after " + std::to_string(cycles.back().cycle) + " cycles";
   if (is_plateau(rules.plateau, cycles))
-    return "plateau" + after + ": the estimate changed by less than " +
-           std::to_string(std::lround(100 * rules.plateau)) + " % in two cycles at " +
-           std::to_string(cycles.back().background.vertices) + " vertices";
+    return StopReason{StoppedBy::plateau,
+                      "plateau" + after + ": the estimate changed by less than " +
+                          std::to_string(std::lround(100 * rules.plateau)) +
+                          " % in two cycles at " +
+                          std::to_string(cycles.back().background.vertices) + " vertices"};
   if (rules.max_vertices > 0 && next > static_cast<double>(rules.max_vertices))
-    return "budget reached" + after + ": the next mesh would have about " +
-           std::to_string(std::llround(next)) + " vertices, " + std::to_string(rules.max_vertices) +
-           " are allowed";
+    return StopReason{StoppedBy::budget, "budget reached" + after +
+                                             ": the next mesh would have about " +
+                                             std::to_string(std::llround(next)) + " vertices, " +
+                                             std::to_string(rules.max_vertices) + " are allowed"};
   double seconds = 0;
   for (const CycleRecord& cycle : cycles) seconds += seconds_of(cycle.seconds);
   if (rules.max_seconds > 0 && seconds >= rules.max_seconds)
-    return "budget reached" + after + ": " + std::to_string(std::llround(seconds)) + " of " +
-           std::to_string(std::llround(rules.max_seconds)) + " seconds are used";
+    return StopReason{StoppedBy::budget, "budget reached" + after + ": " +
+                                             std::to_string(std::llround(seconds)) + " of " +
+                                             std::to_string(std::llround(rules.max_seconds)) +
+                                             " seconds are used"};
   return {};
 }
 

@@ -47,9 +47,13 @@ struct StopRules {
   double max_seconds = 0;  ///< CPU seconds of all cycles; 0: no limit
 };
 
-/// The reason in words when a rule asks to stop after the last of these cycles; the next mesh would
-/// have about `next` vertices.
-std::optional<std::string> reason_to_stop(const StopRules& rules,
-                                          const std::vector<CycleRecord>& cycles, double next);
+struct StopReason {
+  StoppedBy by = StoppedBy::cycles;
+  std::string words;
+};
+/// The reason when a rule asks to stop after the last of these cycles; the next mesh would have
+/// about `next` vertices.
+std::optional<StopReason> reason_to_stop(const StopRules& rules,
+                                         const std::vector<CycleRecord>& cycles, double next);
 
 }  // namespace anisofront

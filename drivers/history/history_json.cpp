@@ -12,10 +12,23 @@ Json optional_json(const std::optional<double>& value) {
 
 constexpr std::array<const char*, 3> kTargetNames{"none", "missed", "reached"};
 
-Json histogram_json(const MeshStatistics& s) {
+Json stopped_by_json(const std::optional<StoppedBy>& by) {
+  return by ? Json(kStoppedByNames[static_cast<std::size_t>(*by)]) : Json(nullptr);
+}
+
+/// Upper bounds 1 / per_unit, 2 / per_unit, ... of the bins that have one.
+template <class Counts>
+Json histogram_json(const Counts& counts, int bounded, double per_unit) {
   Json bounds = Json::array();
-  for (int i = 1; i < kLengthBins; ++i) bounds.push_back(i / 10.);
-  return {{"bounds", bounds}, {"counts", s.histogram}};
+  for (int i = 1; i <= bounded; ++i) bounds.push_back(i / per_unit);
+  return {{"bounds", bounds}, {"counts", counts}};
+}
+
+Json quality_json(const MeshStatistics& s, const std::string& against) {
+  return {{"against", against},
+          {"mean", s.quality_mean},
+          {"min", s.quality_min},
+          {"histogram", histogram_json(s.quality_histogram, kQualityBins, kQualityBins)}};
 }
 
 Json seconds_json(const CycleSeconds& s) {
@@ -86,14 +99,14 @@ Json sizes_json(const std::optional<double>& vertices, const std::optional<doubl
 }  // namespace
 
 Json statistics_json(const MeshStatistics& s, const std::string& against) {
-  return {{"quality", {{"against", against}, {"mean", s.quality_mean}, {"min", s.quality_min}}},
+  return {{"quality", quality_json(s, against)},
           {"edge_length",
            {{"against", against},
             {"min", s.length_min},
             {"max", s.length_max},
             {"in_0.5_1.5", s.percent_half},
             {"in_unit_band", s.percent_unit},
-            {"histogram", histogram_json(s)}}},
+            {"histogram", histogram_json(s.histogram, kLengthBins - 1, 10)}}},
           {"angle", {{"against", against}, {"min", s.angle_min}, {"max", s.angle_max}}},
           {"metric_complexity", s.complexity},
           {"stretch_max", s.stretch_max}};
@@ -107,6 +120,7 @@ Json variant_json(const VariantHistory& variant, const std::string& key) {
           {"settings", settings_json(variant.settings)},
           {"cycles", cycles},
           {"stop_reason", variant.stop_reason},
+          {"stopped_by", stopped_by_json(variant.stopped_by)},
           {"target", kTargetNames.at(static_cast<std::size_t>(variant.target))}};
 }
 
@@ -129,6 +143,7 @@ Json history_json(const std::string& title, const std::vector<VariantHistory>& v
   for (std::size_t i = 0; i < variants.size(); ++i)
     list.push_back(variant_json(variants[i], i < keys.size() ? keys[i] : std::string()));
   return {{"schema", 1},
+          {"version", ANISOFRONT_VERSION},
           {"title", title},
           {"variants", list},
           {"comparison", comparison_json(compare_modes(variants))}};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -9,12 +10,18 @@
 
 namespace anisofront {
 
-/// history.json, schema 1: {"schema":1, "title":..., "variants":[...], "comparison":[...]}. `keys`:
-/// one per variant (see variant_key()), or none.
+/// history.json, schema 1: {"schema":1, "version":..., "title":..., "variants":[...],
+/// "comparison":[...]}; the version is that of the program. `keys`: one per variant (see
+/// variant_key()), or none.
 Json history_json(const std::string& title, const std::vector<VariantHistory>& variants,
                   const std::vector<std::string>& keys = {});
 
-/// {"name", "key", "settings", "cycles":[...], "stop_reason", "target":"none"|"missed"|"reached"}.
+/// The words for StoppedBy, in its order.
+inline constexpr std::array<const char*, 6> kStoppedByNames{"cycles", "target",      "plateau",
+                                                            "budget", "interrupted", "failed"};
+
+/// {"name", "key", "settings", "cycles":[...], "stop_reason" (in words), "stopped_by"
+/// (kStoppedByNames, null while cycles are to follow), "target":"none"|"missed"|"reached"}.
 ///
 /// A cycle holds the counts and, under "quality" (alpha~ of triangles, beta~ of quadrilaterals),
 /// "edge_length", "angle" (corners, in the metric, degrees), "metric_complexity" and "stretch_max",

@@ -29,8 +29,11 @@ void read_counts(const Json& cycle, MeshStatistics& s) {
 MeshStatistics statistics(const Json& cycle, const Json& json) {
   MeshStatistics s;
   read_counts(cycle, s);
-  s.quality_mean = real(json.at("quality").at("mean"));
-  s.quality_min = real(json.at("quality").at("min"));
+  const Json& quality = json.at("quality");
+  s.quality_mean = real(quality.at("mean"));
+  s.quality_min = real(quality.at("min"));
+  // Records of program 0.1 have none.
+  if (quality.contains("histogram")) s.quality_histogram = quality["histogram"].at("counts");
   const Json& length = json.at("edge_length");
   s.length_min = real(length.at("min"));
   s.length_max = real(length.at("max"));
@@ -75,6 +78,14 @@ TargetState target_state(const std::string& name) {
   return name == "missed" ? TargetState::missed : TargetState::none;
 }
 
+/// Records of program 0.1 have none.
+std::optional<StoppedBy> stopped_by(const Json& variant) {
+  const Json name = variant.value("stopped_by", Json());
+  for (std::size_t i = 0; i < kStoppedByNames.size(); ++i)
+    if (name == kStoppedByNames[i]) return static_cast<StoppedBy>(i);
+  return {};
+}
+
 }  // namespace
 
 VariantHistory variant_history(const Json& variant) {
@@ -83,6 +94,7 @@ VariantHistory variant_history(const Json& variant) {
   for (const Json& cycle : variant.at("cycles")) history.cycles.push_back(cycle_record(cycle));
   history.stop_reason = variant.at("stop_reason");
   history.target = target_state(variant.at("target"));
+  history.stopped_by = stopped_by(variant);
   return history;
 }
 

@@ -6,7 +6,6 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "drivers/problem/element_patch.hpp"
-#include "drivers/study/domain_names.hpp"
 #include "drivers/study/expression.hpp"
 #include "mesher/geometry/error.hpp"
 #include "mesher/mesh/boundary_domain.hpp"
@@ -33,82 +32,43 @@ double curve_distance(const Domain& domain, const Mesh& mesh) {
 /// Finds points and what lies around them.
 class Sampler {
  public:
-  Sampler(const Domain& domain, const FeMesh& mesh)
-      : location_(mesh), patches_(mesh), tolerance_(curve_distance(domain, mesh.mesh)) {}
+  explicit Sampler(const FeMesh& mesh) : location_(mesh), patches_(mesh) {}
 
-  /// `what` starts the message when p lies outside.
-  SamplePoint at(Point p, const std::string& what) {
-    if (const auto place = location_.find(p, tolerance_)) return {p, patches_.around(*place)};
+  Places near(Point p) { return patches_.around(location_.nearest(p)); }
+
+  /// `what` starts the message when p lies outside by more than the tolerance.
+  void require_inside(Point p, double tolerance, const std::string& what) {
+    if (location_.find(p, tolerance)) return;
     const Location nearest = location_.nearest(p);
     throw UsageError(fmt::format("{} at {} lies outside the domain, {:.4g} away from it", what,
                                  coordinates(p), norm(map_at(nearest.element, nearest.at).x - p)));
   }
 
-  SamplePoint near(Point p) { return {p, patches_.around(location_.nearest(p))}; }
-
  private:
   PointLocation location_;
   ElementPatches patches_;
-  double tolerance_;
 };
 
-SampleLine straight_line(const LineRequest& request, Sampler& sampler) {
-  SampleLine line{request.name, {}, {}, {}};
-  const double length = norm(request.to - request.from);
-  for (Index i = 0; i < request.points; ++i) {
-    const double t = static_cast<double>(i) / (request.points - 1);
-    // The ends as they stand in the study.
-    const Point p = i + 1 == request.points ? request.to : lerp(request.from, request.to, t);
-    line.points.push_back(
-        sampler.at(p, fmt::format("{} \"{}\": its point {}", request.place, request.name, i + 1)));
-    line.lengths.push_back(t * length);
-    line.tangents.push_back((1 / length) * (request.to - request.from));
+std::vector<SamplePoint> locate_values(const std::vector<ValueRequest>& requests, double tolerance,
+                                       const FeMesh& mesh) {
+  std::vector<SamplePoint> points;
+  Sampler sampler(mesh);
+  for (const ValueRequest& value : requests) {
+    sampler.require_inside(value.at, tolerance, fmt::format("{} \"{}\"", value.place, value.name));
+    points.push_back({value.at, sampler.near(value.at)});
   }
-  return line;
+  return points;
 }
 
-/// Parameters of points in equal steps of arc length.
-std::vector<double> equal_steps(const NurbsCurve& curve, Index points, double& length) {
-  constexpr int kPiecesPerSpan = 16;
-  constexpr int kNewtonSteps = 3;
-  std::vector<double> breaks, lengths{0};
-  const std::vector<double> knots = distinct_knots(curve);
-  for (std::size_t k = 0; k + 1 < knots.size(); ++k)
-    for (int i = 0; i < kPiecesPerSpan; ++i)
-      breaks.push_back(std::lerp(knots[k], knots[k + 1], i / double{kPiecesPerSpan}));
-  breaks.push_back(knots.back());
-  for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
-    lengths.push_back(lengths.back() + arc_length(curve, breaks[k], breaks[k + 1]));
-  length = lengths.back();
-  std::vector<double> parameters{breaks.front()};
-  for (Index i = 1; i + 1 < points; ++i) {
-    const double s = length * i / (points - 1);
-    const auto k = static_cast<std::size_t>(
-        std::upper_bound(lengths.begin(), lengths.end() - 1, s) - lengths.begin() - 1);
-    double t =
-        std::lerp(breaks[k], breaks[k + 1], (s - lengths[k]) / (lengths[k + 1] - lengths[k]));
-    for (int step = 0; step < kNewtonSteps; ++step) {
-      const double excess = lengths[k] + arc_length(curve, breaks[k], t) - s;
-      t = std::clamp(t - excess / norm(derivatives(curve, t).first), breaks[k], breaks[k + 1]);
-    }
-    parameters.push_back(t);
-  }
-  parameters.push_back(breaks.back());
-  return parameters;
-}
-
-SampleLine curve_line(const LineRequest& request, const Domain& domain, Sampler& sampler) {
-  curve_tag(domain, request.curve, request.place + ".curve");  // refuses unknown names
-  const NurbsCurve& curve =
-      domain.curves[static_cast<std::size_t>(find_curve(domain, request.curve))].curve;
-  SampleLine line{request.name, {}, {}, {}};
-  double length = 0;
-  for (const double t : equal_steps(curve, request.points, length)) {
-    line.lengths.push_back(length * static_cast<double>(line.points.size()) / (request.points - 1));
-    line.tangents.push_back(unit_tangent(curve, t));
-    line.points.push_back(sampler.near(evaluate(curve, t)));
-  }
-  return line;
+/// Curves belong to the domain, lines from point to point need not.
+void require_inside(const LineRequest& request, const LinePoints& line, double tolerance,
+                    const FeMesh& mesh) {
+  if (!request.curve.empty()) return;
+  Sampler sampler(mesh);
+  for (std::size_t i = 0; i < line.points.size(); ++i)
+    sampler.require_inside(
+        line.points[i], tolerance,
+        fmt::format("{} \"{}\": its point {}", request.place, request.name, i + 1));
 }
 
 }  // namespace
@@ -117,14 +77,22 @@ SamplePoints locate_requests(const OutputRequests& requests, const Domain& domai
                              const FeMesh& mesh) {
   SamplePoints points;
   if (requests.values.empty() && requests.lines.empty()) return points;
-  Sampler sampler(domain, mesh);
-  for (const ValueRequest& value : requests.values)
-    points.values.push_back(
-        sampler.at(value.at, fmt::format("{} \"{}\"", value.place, value.name)));
-  for (const LineRequest& line : requests.lines)
-    points.lines.push_back(line.curve.empty() ? straight_line(line, sampler)
-                                              : curve_line(line, domain, sampler));
+  const double tolerance = curve_distance(domain, mesh.mesh);
+  points.values = locate_values(requests.values, tolerance, mesh);
+  for (const LineRequest& request : requests.lines) {
+    LinePoints line = line_points(request, domain);
+    require_inside(request, line, tolerance, mesh);
+    std::vector<Places> places = nearest_places(line.points, mesh);
+    points.lines.push_back({request.name, std::move(line), std::move(places)});
+  }
   return points;
+}
+
+std::vector<Places> nearest_places(std::span<const Point> points, const FeMesh& mesh) {
+  std::vector<Places> places;
+  Sampler sampler(mesh);
+  for (const Point p : points) places.push_back(sampler.near(p));
+  return places;
 }
 
 }  // namespace anisofront

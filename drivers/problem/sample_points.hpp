@@ -1,29 +1,29 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "adapt/point_location.hpp"
-#include "drivers/study/study_output.hpp"
+#include "drivers/problem/line_points.hpp"
 
 namespace anisofront {
+
+/// All elements that contain a point, several on edges and at vertices: the states are averaged, so
+/// that they do not depend on which element is found first.
+using Places = std::vector<Location>;
 
 /// A place where the solution is evaluated.
 struct SamplePoint {
   Point at;
-  /// All elements that contain it, several on edges and at vertices: the states are averaged, so
-  /// that they do not depend on which element is found first.
-  std::vector<Location> places;
+  Places places;
 };
 
-/// Points along a line, run through from its start.
+/// The points of a line with their elements on one mesh.
 struct SampleLine {
   std::string name;
-  std::vector<SamplePoint> points;
-  std::vector<double> lengths;  ///< from the start, along the line
-  /// Unit tangent in the direction of the line; the normal (tangent.y, -tangent.x) lies to its
-  /// right, outward on a boundary that runs anticlockwise.
-  std::vector<Vector> tangents;
+  LinePoints line;
+  std::vector<Places> places;  ///< per point
 };
 
 struct SamplePoints {
@@ -36,5 +36,9 @@ struct SamplePoints {
 /// outside the mesh by more than its edges lie off their curves (with the distance).
 SamplePoints locate_requests(const OutputRequests& requests, const Domain& domain,
                              const FeMesh& mesh);
+
+/// The same for points that are known to lie in the domain: on this mesh of it, each gets the
+/// nearest place.
+std::vector<Places> nearest_places(std::span<const Point> points, const FeMesh& mesh);
 
 }  // namespace anisofront

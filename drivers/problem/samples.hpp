@@ -1,34 +1,30 @@
 #pragma once
 
+#include "adapt/point_state.hpp"
+#include "adapt/profile.hpp"
 #include "drivers/problem/sample_points.hpp"
-#include "drivers/problem/solved.hpp"
 
 namespace anisofront {
 
-/// The solution at a requested place, in the order of Solved::quantities.
+/// The solution at a requested place, in the order of Quantities::at_point.
 struct SampledValue {
   std::string name;
   Point at;
   std::vector<double> state;
 };
 
-/// The solution along a line: one row per point with the columns s (length from the start), x, y,
-/// Solved::quantities, Solved::line_quantities.
-struct SampledLine {
-  std::string name;
-  std::vector<std::string> columns;
-  std::vector<std::vector<double>> rows;
-};
-
 struct Samples {
   std::vector<SampledValue> values;
-  std::vector<SampledLine> lines;
+  std::vector<Profile> lines;
 };
 
 /// States averaged over the elements that contain each point. `requests`: those of `points`.
-Samples sample(const OutputRequests& requests, const SamplePoints& points, const Solved& solved);
+Samples sample(const OutputRequests& requests, const SamplePoints& points, const PointState& state);
+
+/// Columns s, x, y, Quantities::at_point, Quantities::along_line.
+NumberTable sample_line(const SampleLine& line, const PointState& state);
 
 /// One line per row below the names of the columns; numbers that read back to the same bits.
-std::string line_csv(const SampledLine& line);
+std::string table_csv(const NumberTable& table);
 
 }  // namespace anisofront

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "adapt/energy_estimate.hpp"
-#include "adapt/point_location.hpp"
+#include "adapt/point_state.hpp"
 #include "drivers/base/json.hpp"
 #include "drivers/study/study.hpp"
 #include "mesher/io/gmsh.hpp"
@@ -16,14 +15,7 @@ namespace anisofront {
 
 /// What one solve leaves, in the same shape for all kinds of problems.
 struct Solved {
-  /// Names of the values at a point ("w", "theta_x", ...), and these at a place of the mesh.
-  std::vector<std::string> quantities;
-  std::function<std::vector<double>(const Location&)> state;
-  /// Names of the values along a line besides, and these from a state of it: components along the
-  /// tangent s of the line and its normal n = (s.y, -s.x).
-  std::vector<std::string> line_quantities;
-  std::function<std::vector<double>(const std::vector<double>& state, Vector tangent)> along;
-
+  PointState state;
   std::vector<FileField> vertex_fields;
   Json totals;    ///< entries of solution.json: energy, reactions, errors
   Json settings;  ///< those of the problem that decide how to read the numbers

@@ -17,20 +17,6 @@ struct PlateRun {
   PlateSolution solution;
 };
 
-std::vector<double> as_values(const PlateState& s) {
-  return {s.w,          s.rotation.x, s.rotation.y, s.moments.xx,
-          s.moments.yy, s.moments.xy, s.shear.x,    s.shear.y};
-}
-
-/// M_n = n.M n, M_s = s.M s, M_ns = n.M s, Q_n, Q_s.
-std::vector<double> components_along(const std::vector<double>& state, Vector s) {
-  const Vector n{s.y, -s.x}, shear{state[6], state[7]};
-  const auto product = [&](Vector a, Vector b) {
-    return a.x * state[3] * b.x + a.y * state[4] * b.y + (a.x * b.y + a.y * b.x) * state[5];
-  };
-  return {product(n, n), product(s, s), product(n, s), dot(shear, n), dot(shear, s)};
-}
-
 std::vector<FileField> fields_of(const PlateRun& run) {
   FileField deflection{"deflection", 1, {}}, moments{"moments", 3, {}};
   std::vector<Vector> rotations, shears;
@@ -104,12 +90,7 @@ Solved solve_plate_study(const Study& study, const Domain& domain, const FeMesh&
       std::make_shared<const PlateRun>(PlateRun{mesh, std::move(problem), std::move(solution)});
 
   Solved solved;
-  solved.quantities = {"w", "theta_x", "theta_y", "M_xx", "M_yy", "M_xy", "Q_x", "Q_y"};
-  solved.state = [run](const Location& place) {
-    return as_values(plate_state(run->mesh, run->problem, run->solution, place.element, place.at));
-  };
-  solved.line_quantities = {"M_n", "M_s", "M_ns", "Q_n", "Q_s"};
-  solved.along = components_along;
+  solved.state = plate_point_state(mesh, {run, &run->problem}, {run, &run->solution});
   solved.vertex_fields = fields_of(*run);
   solved.settings = {{"element", name_of(kPlateElementNames, study.plate->element)}};
   solved.totals = totals_of(*run, domain);

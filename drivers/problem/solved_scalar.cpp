@@ -23,11 +23,6 @@ struct ScalarRun {
   int threads = 0;
 };
 
-std::vector<double> state_at(const ScalarRun& run, const Location& place) {
-  const ScalarState state = scalar_state(run.mesh, run.solution.field, place.element, place.at);
-  return {state.value, state.gradient.x, state.gradient.y};
-}
-
 std::vector<double> vertex_values(const ScalarRun& run) {
   const auto& values = run.solution.field.values;
   return {values.begin(), values.begin() + static_cast<long>(run.mesh.mesh.points.size())};
@@ -123,13 +118,7 @@ Solved solve_scalar_study(const Study& study, const Domain& domain, const FeMesh
       mesh, std::move(exact), std::move(problem), std::move(solution), study.solver.threads});
 
   Solved solved;
-  solved.quantities = {"u", "u_x", "u_y"};
-  solved.state = [run](const Location& place) { return state_at(*run, place); };
-  solved.line_quantities = {"u_n", "u_s"};
-  solved.along = [](const std::vector<double>& state, Vector s) {
-    const Vector gradient{state[1], state[2]};
-    return std::vector{dot(gradient, {s.y, -s.x}), dot(gradient, s)};
-  };
+  solved.state = scalar_point_state(mesh, {run, &run->solution});
   solved.vertex_fields = fields_of(*run);
   solved.settings = {{"order", run->solution.field.order}};
   solved.totals = {{"squared_energy", run->solution.squared_energy},

@@ -4,6 +4,7 @@
 #include "drivers/problem/plate_setup.hpp"
 #include "drivers/problem/scalar_setup.hpp"
 #include "drivers/problem/solved.hpp"
+#include "drivers/problem/watched_lines.hpp"
 
 namespace anisofront {
 namespace {
@@ -16,23 +17,22 @@ ModelRequests requests_of(const Study& study, const Domain& domain) {
 }
 
 Model plate_model_of(const Study& study, const Domain& domain, PlateElement element,
-                     const Monitor& monitor) {
+                     ModelRequests requests, const Monitor& monitor) {
   PlateOptions options;
   options.element = element;
   options.threads = study.solver.threads;
   options.linear = linear_options(study.solver);
-  return plate_model(plate_problem(*study.plate, domain, monitor), options,
-                     requests_of(study, domain));
+  return plate_model(plate_problem(*study.plate, domain, monitor), options, std::move(requests));
 }
 
-Model scalar_model_of(const Study& study, const Domain& domain) {
+Model scalar_model_of(const Study& study, const Domain& domain, ModelRequests requests) {
   ScalarOptions options;
   options.order = study.problem->order;
   options.threads = study.solver.threads;
   options.linear = linear_options(study.solver);
   const auto exact = known_solution(*study.problem);
   return scalar_model(scalar_problem(*study.problem, domain, exact), exact, options,
-                      requests_of(study, domain));
+                      std::move(requests));
 }
 
 /// What the solver says about the problem gets the line of the problem.
@@ -48,19 +48,26 @@ Model with_place(Model model, std::string file, std::string place) {
   };
 }
 
-}  // namespace
-
-Model study_model(const Study& study, const Domain& domain, const Monitor& monitor) {
-  Model model = study.plate ? plate_model_of(study, domain, study.plate->element, monitor)
-                            : scalar_model_of(study, domain);
+Model model_of(const Study& study, const Domain& domain, ModelRequests requests,
+               const Monitor& monitor) {
+  Model model = study.plate ? plate_model_of(study, domain, study.plate->element,
+                                             std::move(requests), monitor)
+                            : scalar_model_of(study, domain, std::move(requests));
   return with_place(std::move(model), study.file.string(),
                     study.plate ? study.plate->place : study.problem->place);
 }
 
+}  // namespace
+
+Model study_model(const Study& study, const Domain& domain, const Monitor& monitor) {
+  return with_profiles(model_of(study, domain, requests_of(study, domain), monitor),
+                       watched_lines(study, domain));
+}
+
 Model reference_model(const Study& study, const Domain& domain) {
-  Model model = study_model(study, domain);
+  Model model = model_of(study, domain, {}, {});
   if (!study.plate || study.plate->element != PlateElement::mitc4) return model;
-  return [=, on_triangles = plate_model_of(study, domain, PlateElement::mitc, {})](
+  return [=, on_triangles = plate_model_of(study, domain, PlateElement::mitc, {}, {})](
              const FeMesh& mesh, const Monitor& monitor) {
     return mesh.mesh.quads.empty() ? on_triangles(mesh, monitor) : model(mesh, monitor);
   };

@@ -119,13 +119,18 @@ std::string run_gnuplot(const fs::path& folder, const std::string& stem) {
 
 }  // namespace
 
-FigureList draw_figures(const Json& history, const fs::path& folder) {
+FigureList draw_figures(const Json& history, const fs::path& directory) {
+  const fs::path folder = directory / "figures";
+  make_folder(folder);
   FigureList list;
   const auto draw = [&](const std::string& stem, const std::string& caption,
                         const std::string& variant) {
     const std::string problem = run_gnuplot(folder, stem);
-    if (!problem.empty()) list.problem = problem;
-    if (problem.empty()) list.figures.push_back({stem + ".svg", caption, variant});
+    if (problem.empty())
+      list.figures.push_back(
+          {stem + ".svg", caption, variant, {stem + ".svg", stem + ".dat", stem + ".gp"}});
+    else if (list.problems.empty())
+      list.problems.push_back(problem);
   };
   const std::string title = history["title"];
   Json with_error = Json::array();

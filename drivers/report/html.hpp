@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "drivers/base/base64.hpp"
 #include "drivers/base/text_table.hpp"
 
 namespace anisofront {
@@ -18,8 +19,5 @@ std::string html_figure(const std::filesystem::path& svg, const std::string& cap
 
 /// A complete page.
 std::string html_page(const std::string& title, const std::string& body);
-
-/// RFC 4648.
-std::string base64(std::string_view bytes);
 
 }  // namespace anisofront

@@ -92,15 +92,12 @@ const char* const kLegend =
 
 std::vector<std::string> make_report(const fs::path& directory) {
   const Json history = read_history(directory);
-  const fs::path folder = directory / "figures";
-  make_folder(folder);
-  const FigureList list = draw_figures(history, folder);
+  const FigureList list = draw_figures(history, directory);
   std::string body = html_table(summary_table(history)) + kLegend;
-  body += figures_of(list, "", folder);
+  body += figures_of(list, "", directory / "figures");
   for (const Json& variant : history["variants"]) body += variant_section(variant, list, directory);
   write_text_file(directory / "report.html", html_page(history["title"], body));
-  if (list.problem.empty()) return {};
-  return {list.problem};
+  return list.problems;
 }
 
 }  // namespace anisofront

@@ -1,27 +1,14 @@
 #include "drivers/report/result_tables.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include <spdlog/fmt/fmt.h>
 
 #include "drivers/history/history_csv.hpp"
+#include "drivers/report/cell_text.hpp"
 
 namespace anisofront {
 namespace {
 
-std::string number(const Json& value, const char* format) {
-  return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "-";
-}
-
-/// Cut, not rounded: "100.0" means all.
-std::string cut_percent(const Json& value) {
-  constexpr double kRounding = 1e-6;
-  if (!value.is_number()) return "-";
-  return fmt::format("{:.1f}", std::floor(10 * value.get<double>() + kRounding) / 10);
-}
-
-std::string significant(const Json& value) { return number(value, "{:.6g}"); }
+std::string significant(const Json& value) { return number_cell(value, "{:.6g}"); }
 
 /// The last cycle of a variant, or null.
 Json last_cycle(const Json& variant) {
@@ -52,10 +39,10 @@ std::vector<std::string> result_cells(const Json& variant) {
           std::to_string(last["cycle"].get<int>()),
           std::to_string(last["vertices"].get<int>()),
           std::to_string(last["dofs"].get<int>()),
-          number(error["estimate"], "{:.3e}"),
-          number(error["relative_energy"], "{:.3e}"),
-          number(error["effectivity"], "{:.3f}"),
-          cut_percent(last["edge_length"]["in_unit_band"]),
+          number_cell(error["estimate"], "{:.3e}"),
+          number_cell(error["relative_energy"], "{:.3e}"),
+          number_cell(error["effectivity"], "{:.3f}"),
+          percent_cell(last["edge_length"]["in_unit_band"], 1),
           variant["stop_reason"]};
 }
 
@@ -97,17 +84,17 @@ std::string distinguishing_settings(const Json& comparison, const Json& all) {
 
 std::vector<std::string> comparison_cells(const Json& comparison, const Json& all) {
   const auto size = [&](const char* mode, const char* what) {
-    return number(comparison[mode][what], "{:.0f}");
+    return number_cell(comparison[mode][what], "{:.0f}");
   };
   return {distinguishing_settings(comparison, all),
           comparison["against"],
-          number(comparison["error"], "{:.3e}"),
+          number_cell(comparison["error"], "{:.3e}"),
           size("isotropic", "vertices"),
           size("anisotropic", "vertices"),
-          number(comparison["ratio"]["vertices"], "{:.4f}"),
+          number_cell(comparison["ratio"]["vertices"], "{:.4f}"),
           size("isotropic", "dofs"),
           size("anisotropic", "dofs"),
-          number(comparison["ratio"]["dofs"], "{:.4f}")};
+          number_cell(comparison["ratio"]["dofs"], "{:.4f}")};
 }
 
 /// A history with those variants that have statistics against a formula.
@@ -146,7 +133,7 @@ TextTable value_table(const Json& history) {
     const Json goal = last["goal"].is_object() ? last["goal"] : Json::object();
     if (with_goal)
       cells.insert(cells.end(), {significant(goal.value("value", Json())),
-                                 number(goal.value("error", Json()), "{:.2e}")});
+                                 number_cell(goal.value("error", Json()), "{:.2e}")});
     for (const std::string& name : names)
       cells.push_back(significant(last["values"].value(name, Json())));
     add_row(table, std::move(cells));

@@ -1,10 +1,8 @@
 #include "drivers/report/summary.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include <spdlog/fmt/fmt.h>
 
+#include "drivers/report/cell_text.hpp"
 #include "drivers/study/paper_table.hpp"
 
 namespace anisofront {
@@ -14,23 +12,12 @@ const std::vector<std::string> kColumns{"against", "type",        "NN",     "NE"
                                         "NB",      "mean",        "min",    "0.5-1.5 %", "l_min",
                                         "l_max",   "unit band %", "angles", "min sJ",    "error"};
 
-std::string number(const Json& value, const char* format) {
-  return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "-";
-}
-
 std::string count(const Json& value) { return std::to_string(value.get<std::int64_t>()); }
 
 std::string error_text(const Json& error) {
-  if (error["relative_energy"].is_number()) return number(error["relative_energy"], "{:.3e}");
-  if (error["estimate"].is_number()) return "~" + number(error["estimate"], "{:.3e}");
+  if (error["relative_energy"].is_number()) return number_cell(error["relative_energy"], "{:.3e}");
+  if (error["estimate"].is_number()) return "~" + number_cell(error["estimate"], "{:.3e}");
   return "-";
-}
-
-/// Percentages are cut, not rounded: "100.00" means all.
-std::string percent(const Json& value) {
-  constexpr double kRounding = 1e-6;
-  if (!value.is_number()) return "-";
-  return fmt::format("{:.2f}", std::floor(100 * value.get<double>() + kRounding) / 100);
 }
 
 /// "T", "Q" or, for a mixed mesh, "Q+31T".
@@ -43,13 +30,14 @@ std::string type_text(const Json& cycle) {
 /// "62-118": the range of the corner angles in whole degrees. Results of older versions have none.
 std::string angle_text(const Json& statistics) {
   const Json angle = statistics.value("angle", Json::object());
-  return number(angle.value("min", Json()), "{:.0f}-") +
-         number(angle.value("max", Json()), "{:.0f}");
+  return number_cell(angle.value("min", Json()), "{:.0f}-") +
+         number_cell(angle.value("max", Json()), "{:.0f}");
 }
 
 /// Of quadrilaterals only.
 std::string scaled_jacobian_text(const Json& cycle) {
-  return cycle["quads"] == 0 ? "-" : number(cycle.value("scaled_jacobian_min", Json()), "{:.3f}");
+  return cycle["quads"] == 0 ? "-"
+                             : number_cell(cycle.value("scaled_jacobian_min", Json()), "{:.3f}");
 }
 
 std::vector<std::string> statistics_cells(const Json& cycle, const Json& statistics) {
@@ -60,12 +48,12 @@ std::vector<std::string> statistics_cells(const Json& cycle, const Json& statist
           count(cycle["elements"]),
           count(cycle["edges"]),
           count(cycle["boundary_edges"]),
-          number(statistics["quality"]["mean"], "{:.3f}"),
-          number(statistics["quality"]["min"], "{:.3f}"),
-          percent(length["in_0.5_1.5"]),
-          number(length["min"], "{:.3f}"),
-          number(length["max"], "{:.3f}"),
-          percent(length["in_unit_band"]),
+          number_cell(statistics["quality"]["mean"], "{:.3f}"),
+          number_cell(statistics["quality"]["min"], "{:.3f}"),
+          percent_cell(length["in_0.5_1.5"], 2),
+          number_cell(length["min"], "{:.3f}"),
+          number_cell(length["max"], "{:.3f}"),
+          percent_cell(length["in_unit_band"], 2),
           angle_text(statistics),
           scaled_jacobian_text(cycle),
           error_text(cycle["error"])};

@@ -6,6 +6,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "drivers/base/text.hpp"
+#include "drivers/run/line_files.hpp"
 #include "drivers/run/quality_fields.hpp"
 #include "drivers/study/element_names.hpp"
 #include "mesher/io/mesh_io.hpp"
@@ -108,11 +109,13 @@ void remove_cycles(const fs::path& folder, int first) {
   }
   for (const fs::path& path : old) fs::remove(path);
   if (first == 0) fs::remove(folder / "cycles.pvd");
+  remove_profiles(folder, first);
 }
 
 void write_cycle(const fs::path& folder, const std::vector<std::string>& formats, int cycle,
                  const Mesh& mesh, const Analysis& analysis) {
   make_folder(folder);
+  write_profiles(folder, cycle, analysis.profiles);
   MeshFile file = with_fields(mesh, analysis, cycle);
   if (!analysis.stages.empty()) write_stages(folder, formats, cycle, mesh, analysis.stages);
   for (const char* format : {"msh", "svg", "mesh"})

@@ -33,7 +33,7 @@ void erase_key(toml::table& root, const char* section, const char* key) {
   if (toml::table* table = root.get_as<toml::table>(section)) table->erase(key);
 }
 
-/// The study without what does not change the results of this variant: title, names of mesh files
+/// The study without what does not change the results of this variant: title, names of files
 /// (their contents count) and the other variants.
 std::string common_text(const StudyFile& study) {
   toml::table root = parse_toml(study.resolved, study.path.string());
@@ -41,9 +41,19 @@ std::string common_text(const StudyFile& study) {
   root.erase("vary");
   erase_key(root, "domain", "mesh");
   erase_key(root, "mesh", "initial");
+  change_reference_files(root, [](const std::string&) { return std::string(); });
   std::ostringstream stream;
   stream << toml::toml_formatter{root} << '\n';
   return stream.str();
+}
+
+/// In a fixed order, empty where the study names none.
+std::vector<fs::path> files_read_by(const Study& study) {
+  std::vector<fs::path> files{study.domain_mesh, study.initial.file};
+  for (const LineRequest& line : study.output.lines)
+    if (line.reference && !line.reference->file.empty())
+      files.push_back(beside_study(study.file, line.reference->file));
+  return files;
 }
 
 Json record_json(const RunRecord& record) {
@@ -116,7 +126,7 @@ EarlierRun intact_run(const fs::path& folder, const std::string& key) {
 std::string variant_key(const StudyFile& study, const Variant& variant) {
   std::string text = "anisofront " ANISOFRONT_VERSION "\n" + common_text(study);
   for (const Override& value : variant.values) text += value.key + " = " + value.value + "\n";
-  for (const fs::path& file : {variant.study.domain_mesh, variant.study.initial.file})
+  for (const fs::path& file : files_read_by(variant.study))
     text += file.empty() ? "-\n" : file_digest(file) + "\n";
   return digest(text);
 }

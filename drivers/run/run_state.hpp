@@ -10,7 +10,8 @@
 namespace anisofront {
 
 /// What decides the results of a variant, as 16 hexadecimal digits: the study with the values of
-/// the variant, the contents of the mesh files it reads, and the version of the program.
+/// the variant, the contents of the files it reads (meshes, references of lines), and the version
+/// of the program.
 /// Throws UsageError when such a file does not exist.
 std::string variant_key(const StudyFile& study, const Variant& variant);
 

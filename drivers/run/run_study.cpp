@@ -10,6 +10,8 @@
 #include "drivers/problem/loop_input.hpp"
 #include "drivers/report/report.hpp"
 #include "drivers/report/result_tables.hpp"
+#include "drivers/run/line_files.hpp"
+#include "drivers/run/run_json.hpp"
 #include "drivers/run/variant_run.hpp"
 
 namespace anisofront {
@@ -51,17 +53,34 @@ EarlierRun usable_earlier_run(const VariantJob& job, const std::string& key,
   return earlier;
 }
 
+/// Profiles are not guarded by digests as meshes are: those of cycles that are gone on from are
+/// written again.
+auto profile_writer(const fs::path& folder) {
+  return [folder](const CycleRecord& record, const Mesh&, const Analysis& analysis) {
+    write_profiles(folder, record.cycle, analysis.profiles);
+  };
+}
+
 std::vector<VariantJob> prepare(const StudyFile& study, const RunOptions& options,
                                 Console& console) {
   std::vector<VariantJob> jobs;
   for (const Variant& variant : study.variants) {
     VariantJob job{&variant, options.directory / variant.name, {}, {}};
     job.earlier = usable_earlier_run(job, variant_key(study, variant), options, console);
-    if (job.earlier.state != State::finished)
+    if (job.earlier.state != State::finished) {
       job.input = loop_input(variant.study, console.monitor(variant.name));
+      job.input->replayed = profile_writer(job.folder);
+    }
     jobs.push_back(std::move(job));
   }
   return jobs;
+}
+
+Outcome named_failure(Outcome outcome) {
+  if (outcome.failure)
+    outcome.history.stopped_by =
+        outcome.failure == ErrorKind::interrupted ? StoppedBy::interrupted : StoppedBy::failed;
+  return outcome;
 }
 
 std::vector<Outcome> run_jobs(std::vector<VariantJob> jobs, const RunOptions& options,
@@ -75,7 +94,8 @@ std::vector<Outcome> run_jobs(std::vector<VariantJob> jobs, const RunOptions& op
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i = next++; i < jobs.size(); i = next++)
-      outcomes[i] = run_variant(std::move(jobs[i]), options.cancelled, console, progress);
+      outcomes[i] =
+          named_failure(run_variant(std::move(jobs[i]), options.cancelled, console, progress));
   };
   std::vector<std::jthread> helpers;
   for (int i = 1; i < options.threads; ++i) helpers.emplace_back(work);
@@ -85,18 +105,13 @@ std::vector<Outcome> run_jobs(std::vector<VariantJob> jobs, const RunOptions& op
   return outcomes;
 }
 
-/// The words of reason_to_stop() for a budget.
-bool is_budget_stop(const VariantHistory& history) {
-  return history.stop_reason.starts_with("budget");
-}
-
 int exit_code(const std::vector<Outcome>& outcomes) {
   int failure = 0;
   bool has_budget_stop = false, has_missed = false;
   for (const Outcome& outcome : outcomes) {
     if (outcome.failure == ErrorKind::interrupted) return static_cast<int>(ErrorKind::interrupted);
     if (outcome.failure && failure == 0) failure = static_cast<int>(*outcome.failure);
-    has_budget_stop = has_budget_stop || is_budget_stop(outcome.history);
+    has_budget_stop = has_budget_stop || outcome.history.stopped_by == StoppedBy::budget;
     has_missed = has_missed || outcome.history.target == TargetState::missed;
   }
   if (failure != 0) return failure;
@@ -104,9 +119,12 @@ int exit_code(const std::vector<Outcome>& outcomes) {
   return has_missed ? 1 : 0;
 }
 
+void write_json(const Json& json, const fs::path& path) {
+  write_text_file(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
 void write_tables(const Json& history, const fs::path& directory) {
-  write_text_file(directory / "history.json",
-                  history.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_json(history, directory / "history.json");
   write_text_file(directory / "history.csv", history_csv(history));
   fs::remove(directory / "comparison.csv");
   if (!history["comparison"].empty())
@@ -114,8 +132,8 @@ void write_tables(const Json& history, const fs::path& directory) {
 }
 
 void write_results(const StudyFile& study, const std::vector<Outcome>& outcomes,
-                   const std::vector<std::string>& keys, const fs::path& directory,
-                   Console& console) {
+                   const std::vector<std::string>& keys, const RunFacts& facts,
+                   const fs::path& directory, Console& console) {
   std::vector<VariantHistory> variants;
   bool has_cycles = false;
   for (const Outcome& outcome : outcomes) {
@@ -126,6 +144,7 @@ void write_results(const StudyFile& study, const std::vector<Outcome>& outcomes,
   const Json history = history_json(study.title, variants, keys);
   write_text_file(directory / "study.toml", study.resolved);
   write_tables(history, directory);
+  write_json(run_json(facts), directory / "run.json");
   for (const std::string& problem : make_report(directory)) console.warn(problem);
   console.say(console_summary(history));
   console.say("results in " + directory.string() +
@@ -143,14 +162,17 @@ void explain_exit_code(int code, Console& console) {
 }  // namespace
 
 int run_study(const StudyFile& study, const RunOptions& options, Console& console) {
+  const auto start = std::chrono::steady_clock::now();
+  RunFacts facts{options.command, std::chrono::system_clock::now(), 0, options.threads, 0};
   std::vector<VariantJob> jobs = prepare(study, options, console);
   std::vector<std::string> keys;
   for (const VariantJob& job : jobs) keys.push_back(job.earlier.record.key);
   const std::vector<Outcome> outcomes = run_jobs(std::move(jobs), options, console);
-  write_results(study, outcomes, keys, options.directory, console);
-  const int code = exit_code(outcomes);
-  explain_exit_code(code, console);
-  return code;
+  facts.exit_code = exit_code(outcomes);
+  facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  write_results(study, outcomes, keys, facts, options.directory, console);
+  explain_exit_code(facts.exit_code, console);
+  return facts.exit_code;
 }
 
 }  // namespace anisofront

@@ -43,12 +43,12 @@ Json value_json(const SampledValue& value, const std::vector<std::string>& quant
 }
 
 /// One array per column.
-Json line_json(const SampledLine& line) {
+Json line_json(const Profile& line) {
   Json json{{"name", line.name}};
-  for (std::size_t i = 0; i < line.columns.size(); ++i) {
+  for (std::size_t i = 0; i < line.values.columns.size(); ++i) {
     Json column = Json::array();
-    for (const std::vector<double>& row : line.rows) column.push_back(row[i]);
-    json[line.columns[i]] = std::move(column);
+    for (const std::vector<double>& row : line.values.rows) column.push_back(row[i]);
+    json[line.values.columns[i]] = std::move(column);
   }
   return json;
 }
@@ -75,9 +75,9 @@ Json solution_json(const SolutionRecord& record) {
   json.update(record.solved.totals);
   json["values"] = Json::array();
   for (const SampledValue& value : record.samples.values)
-    json["values"].push_back(value_json(value, record.solved.quantities));
+    json["values"].push_back(value_json(value, record.solved.state.quantities.at_point));
   json["lines"] = Json::array();
-  for (const SampledLine& line : record.samples.lines) json["lines"].push_back(line_json(line));
+  for (const Profile& line : record.samples.lines) json["lines"].push_back(line_json(line));
   json["warnings"] = record.warnings;
   json["seconds"] = seconds_json(record);
   return json;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drivers/problem/samples.hpp"
+#include "drivers/problem/solved.hpp"
 #include "drivers/study/study_file.hpp"
 
 namespace anisofront {

@@ -46,7 +46,7 @@ std::string seconds_text(const SolutionRecord& record) {
 TextTable value_table(const SolutionRecord& record) {
   TextTable table;
   table.header = {"name", "at"};
-  const auto& names = record.solved.quantities;
+  const auto& names = record.solved.state.quantities.at_point;
   table.header.insert(table.header.end(), names.begin(), names.end());
   for (const SampledValue& value : record.samples.values) {
     table.rows.push_back({value.name, fmt::format("({:.6g}, {:.6g})", value.at.x, value.at.y)});

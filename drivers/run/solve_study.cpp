@@ -59,8 +59,8 @@ void write_solution(const fs::path& folder, const SolutionRecord& record) {
   fs::remove(folder / "solution.json");
   write_meshes(folder, record);
   if (!record.samples.lines.empty()) make_folder(folder / "lines");
-  for (const SampledLine& line : record.samples.lines)
-    write_text_file(folder / "lines" / (line.name + ".csv"), line_csv(line));
+  for (const Profile& line : record.samples.lines)
+    write_text_file(folder / "lines" / (line.name + ".csv"), table_csv(line.values));
   const Json json = solution_json(record);
   write_text_file(folder / "solution.json",
                   json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
@@ -90,7 +90,7 @@ void solve_variant(const Variant& variant, const fs::path& folder, Console& cons
   const SamplePoints points = locate_requests(study.output, start.domain, mesh);
   seconds.mesh = clock.lap();
   Solved solved = solve_problem(study, start.domain, mesh, monitor);
-  Samples samples = sample(study.output, points, solved);
+  Samples samples = sample(study.output, points, solved.state);
   const double rest = clock.lap();
   seconds.total = seconds.mesh + rest;
   seconds.fields =

@@ -56,6 +56,7 @@ class VariantRun {
       record_.history.cycles[k].error = history.cycles[k].error;
     record_.history.stop_reason = history.stop_reason;
     record_.history.target = history.target;
+    record_.history.stopped_by = history.stopped_by;
     record_.is_finished = true;
     write_record(job_.folder, record_);
   }

@@ -50,6 +50,9 @@ void make_absolute(toml::table& root, const char* section, const char* key, cons
 std::string resolved_text(toml::table root, const fs::path& path) {
   make_absolute(root, "domain", "mesh", path);
   make_absolute(root, "mesh", "initial", path);
+  change_reference_files(root, [&](const std::string& name) {
+    return fs::absolute(beside_study(path, name)).string();
+  });
   std::ostringstream stream;
   stream << toml::toml_formatter{root} << '\n';
   return stream.str();

@@ -12,6 +12,7 @@ namespace anisofront {
 namespace {
 
 constexpr Index kMaxLinePoints = 1'000'000;
+constexpr double kMaxGrading = 20;
 constexpr int kMaxThreads = 256;
 
 constexpr std::array<Named<LinearMethod>, 5> kMethodNames{{{"automatic", LinearMethod::automatic},
@@ -57,20 +58,57 @@ bool is_file_name(const std::string& name) {
          });
 }
 
+/// reference = "FILE", or = { QUANTITY = "expression", ... }.
+std::optional<LineReference> read_reference(TomlTable& entry) {
+  constexpr const char* kKey = "reference";
+  if (!entry.has(kKey)) return {};
+  LineReference reference;
+  reference.place = entry.place(kKey);
+  if (!entry.is_table(kKey)) {
+    reference.file = *entry.text(kKey);
+    if (reference.file.empty())
+      entry.fail(kKey, "expected the name of a file, or { QUANTITY = \"expression\" }");
+    return reference;
+  }
+  TomlTable expressions = *entry.table(kKey);
+  for (const std::string& name : expressions.keys())
+    reference.quantities.push_back({name, *expressions.expression(name)});
+  if (reference.quantities.empty())
+    entry.fail(kKey, "is empty; expected { QUANTITY = \"expression\" }");
+  return reference;
+}
+
+LineEnd line_end(const std::string& name) {
+  if (name == "both") return LineEnd::both;
+  return name == "end" ? LineEnd::end : LineEnd::start;
+}
+
+void read_spacing(TomlTable& entry, LineRequest& line) {
+  line.points = entry.integer("points").value_or(line.points);
+  line.grading = entry.number("grading").value_or(line.grading);
+  if (line.points < 2 || line.points > kMaxLinePoints)
+    entry.fail("points", fmt::format("expected 2 to {}, found {}", kMaxLinePoints, line.points));
+  if (line.grading < 1 || line.grading > kMaxGrading)
+    entry.fail("grading",
+               fmt::format("expected 1 (equal steps) to {}, found {}", kMaxGrading, line.grading));
+  if (entry.has("towards") && line.grading == 1)
+    entry.fail("towards", "says where points stand close together; write grading = 2 or more too");
+  line.towards = line_end(entry.choice("towards", {"start", "end", "both"}, "start"));
+}
+
 LineRequest read_line(TomlTable& entry) {
   LineRequest line;
   line.place = entry.place();
   line.curve = entry.text("curve").value_or("");
   line.name = entry.required(entry.text("name"), "name");
   const auto from = entry.point("from"), to = entry.point("to");
-  line.points = entry.integer("points").value_or(line.points);
+  read_spacing(entry, line);
+  line.reference = read_reference(entry);
   entry.finish();
   if (!is_file_name(line.name))
     entry.fail("name", "becomes the name of a file; write letters, digits, dots, - and _ only");
   if (line.curve.empty() ? !(from && to) : (from || to))
     entry.fail({}, "expected either curve = \"NAME\" or from = [x, y] and to = [x, y]");
-  if (line.points < 2 || line.points > kMaxLinePoints)
-    entry.fail("points", fmt::format("expected 2 to {}, found {}", kMaxLinePoints, line.points));
   if (from && *from == *to) entry.fail("to", "is the same point as from");
   line.from = from.value_or(Point{});
   line.to = to.value_or(Point{});
@@ -90,6 +128,21 @@ OutputRequests parse_output(TomlTable table) {
   }
   table.finish();
   return output;
+}
+
+void change_reference_files(toml::table& study,
+                            const std::function<std::string(const std::string&)>& change) {
+  toml::array* lines = study["output"]["lines"].as_array();
+  if (lines == nullptr) return;
+  for (toml::node& line : *lines)
+    if (toml::table* entry = line.as_table())
+      if (const auto name = (*entry)["reference"].value<std::string>())
+        entry->insert_or_assign("reference", change(*name));
+}
+
+std::filesystem::path beside_study(const std::filesystem::path& study,
+                                   const std::filesystem::path& name) {
+  return (study.parent_path() / name).lexically_normal();
 }
 
 SolverSettings parse_solver(TomlTable table) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,13 +18,29 @@ struct ValueRequest {
   std::string place;
 };
 
-/// Points along a curve of the domain (equal steps of arc length), or from one point to another.
-struct LineRequest {
-  std::string name;   ///< usable as a file name
-  std::string curve;  ///< empty: from - to
-  Point from, to;
-  Index points = 101;
+/// What a line is compared with: a table with the column s and some of the quantities, or
+/// expressions for some of these.
+struct LineReference {
+  std::filesystem::path file;  ///< as the study has it, relative to it; empty: expressions
+  /// Of x, y, s (length from the start) and the names of the [problem].
+  std::vector<NamedExpression> quantities;
   std::string place;
+};
+
+/// Where the points of a line stand close together.
+enum class LineEnd { start, end, both };
+
+/// Points along a curve of the domain (steps of arc length), or from one point to another.
+struct LineRequest {
+  std::string name = {};   ///< usable as a file name
+  std::string curve = {};  ///< empty: from - to
+  Point from = {}, to = {};
+  Index points = 101;
+  /// The k-th of n steps ends at the share (k / n)^grading of the length; 1: equal steps.
+  double grading = 1;
+  LineEnd towards = LineEnd::start;  ///< end: mirrored; both: each half of the line by itself
+  std::optional<LineReference> reference = {};
+  std::string place = {};
 };
 
 /// The [output] table.
@@ -31,6 +50,14 @@ struct OutputRequests {
   std::vector<LineRequest> lines;
 };
 OutputRequests parse_output(TomlTable table);
+
+/// Replaces the names of reference files in the [output] table of a study, if it has any.
+void change_reference_files(toml::table& study,
+                            const std::function<std::string(const std::string&)>& change);
+
+/// The file that a name in a study means: paths are relative to the study.
+std::filesystem::path beside_study(const std::filesystem::path& study,
+                                   const std::filesystem::path& name);
 
 /// The [solver] table.
 struct SolverSettings {

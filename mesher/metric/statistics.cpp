@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
-#include "mesher/geometry/error.hpp"
-#include "mesher/mesh/topology.hpp"
-#include "mesher/metric/metric_length.hpp"
+#include "mesher/metric/metric_source.hpp"
 #include "mesher/metric/quality.hpp"
 
 namespace anisofront {
@@ -15,81 +12,6 @@ namespace anisofront {
 namespace {
 
 constexpr double kSubSegment = 0.1;
-
-void require_one_per_vertex(const Mesh& mesh, const MetricField& field) {
-  if (field.size() != mesh.points.size())
-    throw InputError("the metric field has " + std::to_string(field.size()) +
-                     " entries, expected one per vertex: " + std::to_string(mesh.points.size()));
-}
-
-/// A metric given by a function: vertices are looked up once, the rest where it is asked for.
-class FunctionSource {
- public:
-  FunctionSource(const Mesh& mesh, const MetricFunction& metric) : mesh_(mesh), metric_(metric) {
-    vertex_metrics_.reserve(mesh.points.size());
-    for (const Point p : mesh.points) vertex_metrics_.push_back(metric(p));
-  }
-  const MetricField& vertex_metrics() const { return vertex_metrics_; }
-
-  /// Density of length along the edge, as a function of t in [0,1].
-  auto density(HalfEdge edge) const {
-    const Point a = mesh_.points[edge.from], b = mesh_.points[edge.to];
-    return [this, a, b](double t) { return length(metric_(lerp(a, b, t)), b - a); };
-  }
-  /// sqrt(det M) where the vertices have the given weights.
-  template <std::size_t N>
-  double element_density(const std::array<Index, N>& vertices,
-                         const std::array<double, N>& weights) const {
-    Point p;
-    for (std::size_t i = 0; i < N; ++i) p = p + weights[i] * mesh_.points[vertices[i]];
-    return std::sqrt(determinant(metric_(p)));
-  }
-
- private:
-  const Mesh& mesh_;
-  const MetricFunction& metric_;
-  MetricField vertex_metrics_;
-};
-
-/// A metric given at the vertices, H = M^(-1/2) linear between them.
-class FieldSource {
- public:
-  FieldSource(const Mesh& mesh, const MetricField& field) : mesh_(mesh), field_(field) {
-    require_one_per_vertex(mesh, field);
-    sizes_.reserve(field.size());
-    for (const Metric& m : field) sizes_.push_back(size_of(m));
-  }
-  const MetricField& vertex_metrics() const { return field_; }
-
-  /// |H^-1 v| = |adj(H) v| / det H, with adj(H) v linear and det H from the linear H.
-  auto density(HalfEdge edge) const {
-    const SizeTensor h0 = sizes_[edge.from], h1 = sizes_[edge.to];
-    const Vector v = mesh_.points[edge.to] - mesh_.points[edge.from];
-    return [h0, h1, v](double t) {
-      const SizeTensor h{h0.h11 + t * (h1.h11 - h0.h11), h0.h12 + t * (h1.h12 - h0.h12),
-                         h0.h22 + t * (h1.h22 - h0.h22)};
-      const Vector u{h.h22 * v.x - h.h12 * v.y, h.h11 * v.y - h.h12 * v.x};
-      return norm(u) / (h.h11 * h.h22 - h.h12 * h.h12);
-    };
-  }
-  template <std::size_t N>
-  double element_density(const std::array<Index, N>& vertices,
-                         const std::array<double, N>& weights) const {
-    SizeTensor h{0, 0, 0};
-    for (std::size_t i = 0; i < N; ++i) {
-      const SizeTensor& of_vertex = sizes_[vertices[i]];
-      h.h11 += weights[i] * of_vertex.h11;
-      h.h12 += weights[i] * of_vertex.h12;
-      h.h22 += weights[i] * of_vertex.h22;
-    }
-    return 1 / (h.h11 * h.h22 - h.h12 * h.h12);
-  }
-
- private:
-  const Mesh& mesh_;
-  const MetricField& field_;
-  std::vector<SizeTensor> sizes_;
-};
 
 /// Integral over one triangle: the three edge midpoints, exact for degree 2.
 template <class Source>
@@ -148,24 +70,32 @@ void count_length(double length, MeshStatistics& statistics, Range& range) {
   ++statistics.histogram[static_cast<std::size_t>(std::clamp(bin, 0., kLengthBins - 1.))];
 }
 
-template <class Source>
-void measure_edges(const Source& source, const Mesh& mesh, MeshStatistics& statistics) {
+/// Calls visit(length, is_boundary) for every edge in the order of mesh_edges().
+template <class Source, class Visit>
+void for_each_edge_length(const Source& source, const Mesh& mesh, Visit visit) {
   const HalfEdges edges = half_edges(mesh);
   const std::vector<Index> twin =
       half_edge_twins(edges, static_cast<Index>(mesh.points.size())).twin;
-  Range range;
+  const MetricField& metrics = source.vertex_metrics();
   for (Index h = 0; h < edges.count(); ++h) {
     if (twin[h] != kNoIndex && twin[h] < h) continue;
     const HalfEdge e = edges[h];
     const Vector v = mesh.points[e.to] - mesh.points[e.from];
-    const MetricField& m = source.vertex_metrics();
-    double length_of_edge = 0;
-    for_each_sub_segment(source.density(e), length(m[e.from], v), length(m[e.to], v), kSubSegment,
-                         [&](double, double piece) { length_of_edge += piece; });
+    double sum = 0;
+    for_each_sub_segment(source.density(e), length(metrics[e.from], v), length(metrics[e.to], v),
+                         kSubSegment, [&](double, double piece) { sum += piece; });
+    visit(sum, twin[h] == kNoIndex);
+  }
+}
+
+template <class Source>
+void measure_edges(const Source& source, const Mesh& mesh, MeshStatistics& statistics) {
+  Range range;
+  for_each_edge_length(source, mesh, [&](double length_of_edge, bool is_boundary) {
     count_length(length_of_edge, statistics, range);
     ++statistics.edges;
-    statistics.boundary_edges += twin[h] == kNoIndex;
-  }
+    statistics.boundary_edges += is_boundary;
+  });
   statistics.length_min = range.min;
   statistics.length_max = range.max;
   statistics.percent_half = 100. * statistics.percent_half / statistics.edges;
@@ -215,12 +145,20 @@ std::vector<double> qualities(const Mesh& mesh, const MetricField& metrics) {
   return result;
 }
 
+/// Not a number, as an element without an area gives, counts in the first bin.
+std::size_t quality_bin(double quality) {
+  constexpr double kSlack = 1e-12;  // rounding of qualities that sit on a bound
+  const double bin = std::floor(kQualityBins * quality * (1 + kSlack));
+  return bin > 0 ? static_cast<std::size_t>(std::min(bin, kQualityBins - 1.)) : 0;
+}
+
 void measure_elements(const Mesh& mesh, const MetricField& metrics, MeshStatistics& statistics) {
   Range quality, angles;
   double log_sum = 0;
   for (const double q : qualities(mesh, metrics)) {
     quality.add(q);
     log_sum += std::log(std::max(q, 0.));
+    ++statistics.quality_histogram[quality_bin(q)];
   }
   for (const Triangle& t : mesh.triangles) add_angles(mesh, metrics, t, angles);
   statistics.scaled_jacobian_min = 1;
@@ -259,6 +197,14 @@ MeshStatistics mesh_statistics(const Mesh& mesh, const MetricFunction& metric) {
 
 MeshStatistics mesh_statistics(const Mesh& mesh, const MetricField& field) {
   return statistics_of(FieldSource(mesh, field), mesh);
+}
+
+std::vector<double> edge_lengths(const Mesh& mesh, const MetricFunction& metric) {
+  std::vector<double> lengths;
+  lengths.reserve(2 * mesh.points.size() + mesh.triangles.size());
+  for_each_edge_length(FunctionSource(mesh, metric), mesh,
+                       [&](double length_of_edge, bool) { lengths.push_back(length_of_edge); });
+  return lengths;
 }
 
 std::vector<double> element_qualities(const Mesh& mesh, const MetricField& field) {

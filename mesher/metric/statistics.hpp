@@ -13,6 +13,10 @@ namespace anisofront {
 /// bound counts in the bin above it.
 inline constexpr int kLengthBins = 31;
 
+/// Upper bounds of the quality histogram bins: 0.05, 0.1, ... 1. A quality on a bound counts in the
+/// bin above it, 1 in the last one, negative ones in the first.
+inline constexpr int kQualityBins = 20;
+
 /// Shape and size of a mesh against a metric: the columns of the paper's Tables 1-4.
 struct MeshStatistics {
   Index vertices = 0, elements = 0, edges = 0, boundary_edges = 0, triangles = 0, quads = 0;
@@ -26,7 +30,8 @@ struct MeshStatistics {
   double angle_min = 0, angle_max = 0;  ///< corner angles in the metric, degrees
   double scaled_jacobian_min = 0;       ///< physical, quads only (1 for triangles)
   double stretch_max = 1;               ///< largest h2/h1 over the vertices
-  std::array<std::int64_t, kLengthBins> histogram{};
+  std::array<std::int64_t, kLengthBins> histogram{};           ///< of the edge lengths
+  std::array<std::int64_t, kQualityBins> quality_histogram{};  ///< of alpha~ and beta~
 };
 
 /// Lengths by Appendix B with sub-segments shorter than 0.1, alpha~ and beta~ with the metric at
@@ -40,6 +45,10 @@ MeshStatistics mesh_statistics(const Mesh& mesh, const MetricFunction& metric);
 /// M^(-1/2) between its ends. What `check --metric` uses when the field sits on the mesh itself.
 /// Throws InputError when the field does not hold one metric per vertex.
 MeshStatistics mesh_statistics(const Mesh& mesh, const MetricField& field);
+
+/// The length of every edge in the order of mesh_edges(): the numbers that mesh_statistics()
+/// counts. `metric` is called as it does for edges. Same preconditions; empty without elements.
+std::vector<double> edge_lengths(const Mesh& mesh, const MetricFunction& metric);
 
 /// alpha~ of every triangle, then beta~ of every quad, in the metrics at the vertices (Eqns 15,
 /// 16). Throws InputError when the field does not hold one metric per vertex.

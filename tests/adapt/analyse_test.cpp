@@ -184,6 +184,66 @@ TEST_SUITE("unit") {
             doctest::Approx(0.1 + 2 * std::log(1.5)).epsilon(1e-3));
   }
 
+  TEST_CASE("a goal that the model does not have cannot steer") {
+    AdaptSettings settings = with_vertices(500);
+    settings.use_goal = true;
+    CHECK_THROWS_WITH_AS(layer_analysis(false, settings)(square_mesh(8), 0),
+                         doctest::Contains("the model has none"), UsageError);
+    const Goal goal{Goal::Kind::patch_mean, {0.5, 0.5}, 0.2, 0};
+    const Analysis steered =
+        analyse_model(layer_model(false, 1, goal), {}, settings)(square_mesh(8), 0);
+    CHECK(steered.goal.has_value());
+    CHECK(steered.metric.size() == 81);
+  }
+
+  TEST_CASE("a prescribed metric with a problem needs no Hessians of it") {
+    const Mesh mesh = square_mesh(8);
+    const Model model = [solve = layer_model(true)](const FeMesh& fe, const Monitor& monitor) {
+      SolvedModel solved = solve(fe, monitor);
+      solved.curvature_values.resize(7);  // of no use: Hessians of them would be refused
+      return solved;
+    };
+    const auto unit = [](Point) { return Metric{4, 0, 9}; };
+    const Analysis a = analyse_prescribed(unit, 0, model)(mesh, 0);
+    CHECK(a.dofs == 81);
+    CHECK(*a.error.relative_energy > 0);
+    CHECK(field(a.element_fields, "indicator").values.size() == 128);
+    CHECK(a.metric[40] == Metric{4, 0, 9});
+    CHECK_THROWS_AS(analyse_model(model, {}, with_vertices(500))(mesh, 0), InputError);
+  }
+
+  TEST_CASE("a solution that is there already is analysed as one that is asked for") {
+    const Mesh mesh = square_mesh(12);
+    const FeMesh fe = straight_fe_mesh(mesh);
+    const AdaptSettings settings = with_vertices(300);
+    const Analysis asked = layer_analysis(true, settings)(mesh, 2);
+    const Analysis there = analyse_solved(fe, layer_model(true)(fe, {}), settings, 2);
+    CHECK(there.metric == asked.metric);
+    CHECK(*there.error.estimate == *asked.error.estimate);
+    CHECK(there.next_vertices == asked.next_vertices);
+    CHECK(there.solve_seconds == 0);
+  }
+
+  TEST_CASE("profiles of a model are handed on and their time does not count") {
+    const Profile profile{"cut", {{"s", "u"}, {{0, 1}, {2, 3}}}, NumberTable{{"s"}, {{0}}}};
+    const Model model = [&, solve = layer_model(true)](const FeMesh& fe, const Monitor& monitor) {
+      SolvedModel solved = solve(fe, monitor);
+      solved.profiles.push_back(profile);
+      solved.aside_seconds += 1000;
+      return solved;
+    };
+    const auto unit = [](Point) { return Metric{}; };
+    for (const Analyse& analyse :
+         {analyse_model(model, {}, with_vertices(500)), analyse_prescribed(unit, 0, model)}) {
+      const Analysis a = analyse(square_mesh(8), 0);
+      REQUIRE(a.profiles.size() == 1);
+      CHECK(a.profiles[0].name == "cut");
+      CHECK(a.profiles[0].values.rows == profile.values.rows);
+      CHECK(a.profiles[0].reference->rows == profile.reference->rows);
+      CHECK(a.solve_seconds < -900);
+    }
+  }
+
   TEST_CASE("a prescribed metric is sampled at the vertices") {
     const Mesh mesh = square_mesh(2);
     const Analysis a = analyse_prescribed([](Point p) {

@@ -4,7 +4,6 @@
 
 #include <doctest/doctest.h>
 
-#include "solver/scalar/norms.hpp"
 #include "tests/adapt/flux_data.hpp"
 
 using namespace anisofront;
@@ -15,13 +14,8 @@ namespace {
 /// Estimated over true energy error.
 double effectivity(const Mesh& mesh, int order, const ExactSolution& exact, double diffusion,
                    double reaction) {
-  const FeMesh fe = straight_fe_mesh(mesh);
-  const ScalarProblem problem = dirichlet_problem(exact, diffusion, reaction);
-  ScalarOptions options;
-  options.order = order;
-  const ScalarField field = solve_scalar(fe, problem, options).field;
-  return estimate_by_recovery(fe, problem, field).error /
-         error_norms(fe, problem, exact, field).energy;
+  const SolvedProblem solved = solved_problem(mesh, order, exact, diffusion, reaction);
+  return estimate_by_recovery(solved.mesh, solved.problem, solved.field).error / solved.true_error;
 }
 
 double on_sine(const Mesh& mesh, int order) {

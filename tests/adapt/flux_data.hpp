@@ -5,6 +5,7 @@
 
 #include "adapt/energy_estimate.hpp"
 #include "solver/scalar/exact_solutions.hpp"
+#include "solver/scalar/norms.hpp"
 #include "solver/scalar/scalar_basis.hpp"
 #include "tests/solver/square_mesh.hpp"
 
@@ -109,6 +110,23 @@ inline ScalarProblem dirichlet_problem(const ExactSolution& exact, double diffus
   for (const Index side : {kBottom, kRight, kTop, kLeft})
     problem.dirichlet.push_back({side, exact.value});
   return problem;
+}
+
+/// A problem of dirichlet_problem(), solved on straight elements. The mesh must outlive it.
+struct SolvedProblem {
+  FeMesh mesh;
+  ScalarProblem problem;
+  ScalarField field;
+  double true_error = 0;  ///< in the energy norm
+};
+inline SolvedProblem solved_problem(const Mesh& mesh, int order, const ExactSolution& exact,
+                                    double diffusion, double reaction) {
+  ScalarOptions options;
+  options.order = order;
+  const FeMesh fe = straight_fe_mesh(mesh);
+  const ScalarProblem problem = dirichlet_problem(exact, diffusion, reaction);
+  const ScalarField field = solve_scalar(fe, problem, options).field;
+  return {fe, problem, field, error_norms(fe, problem, exact, field).energy};
 }
 
 /// Layers of width about 2 eps ln n along all sides take half of the n intervals.

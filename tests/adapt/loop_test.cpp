@@ -48,6 +48,14 @@ Analyse growing_grid(std::vector<int>& calls) {
   };
 }
 
+Analyse reaching_target_in_cycle_2(std::vector<int>& calls) {
+  return [grid = growing_grid(calls)](const Mesh& mesh, int cycle) {
+    Analysis analysis = grid(mesh, cycle);
+    analysis.target = cycle < 2 ? TargetState::missed : TargetState::reached;
+    return analysis;
+  };
+}
+
 LoopInput grid_input(Analyse analyse, int cycles) {
   LoopInput input;
   input.initial = square_mesh(2);
@@ -73,6 +81,7 @@ TEST_SUITE("unit") {
       CHECK_FALSE(history.cycles[k].exact.has_value());
     }
     CHECK(history.stop_reason == "finished after 3 cycles");
+    CHECK(history.stopped_by == StoppedBy::cycles);
     CHECK(history.target == TargetState::none);
   }
 
@@ -123,19 +132,16 @@ TEST_SUITE("unit") {
 
   TEST_CASE("the loop stops at the mesh that reaches the target") {
     std::vector<int> calls;
-    const Analyse grid = growing_grid(calls);
-    LoopInput input = grid_input(
-        [&](const Mesh& mesh, int cycle) {
-          Analysis analysis = grid(mesh, cycle);
-          analysis.target = cycle < 2 ? TargetState::missed : TargetState::reached;
-          return analysis;
-        },
-        5);
+    LoopInput input = grid_input(reaching_target_in_cycle_2(calls), 5);
     const VariantHistory history = adapt_loop(input);
     CHECK(history.cycles.size() == 3);
     CHECK(history.target == TargetState::reached);
+    CHECK(history.stopped_by == StoppedBy::target);
     input.cycles = 1;
     CHECK(adapt_loop(input).target == TargetState::missed);
+    CHECK(adapt_loop(input).stopped_by == StoppedBy::cycles);
+    input.cycles = 2;  // both at once
+    CHECK(adapt_loop(input).stopped_by == StoppedBy::target);
   }
 
   TEST_CASE("warnings of an analysis reach the record and the monitor") {
@@ -180,14 +186,7 @@ TEST_SUITE("unit") {
 
   TEST_CASE("the reason to end is told in words") {
     std::vector<int> calls;
-    const Analyse grid = growing_grid(calls);
-    LoopInput input = grid_input(
-        [&](const Mesh& mesh, int cycle) {
-          Analysis analysis = grid(mesh, cycle);
-          analysis.target = cycle < 2 ? TargetState::missed : TargetState::reached;
-          return analysis;
-        },
-        5);
+    LoopInput input = grid_input(reaching_target_in_cycle_2(calls), 5);
     CHECK(adapt_loop(input).stop_reason == "target error reached after 2 cycles");
     input.cycles = 1;
     CHECK(adapt_loop(input).stop_reason == "target error missed after 1 cycles");
@@ -209,6 +208,7 @@ TEST_SUITE("unit") {
     CHECK(history.stop_reason ==
           "budget reached after 2 cycles: the next mesh would have about 300 vertices, 200 are "
           "allowed");
+    CHECK(history.stopped_by == StoppedBy::budget);
   }
 
   TEST_CASE("the loop stops on a plateau of the estimate") {
@@ -224,6 +224,7 @@ TEST_SUITE("unit") {
     const VariantHistory history = adapt_loop(input);
     CHECK(history.cycles.size() == 4);  // 9, then three times 25 vertices
     CHECK(history.stop_reason.starts_with("plateau after 3 cycles"));
+    CHECK(history.stopped_by == StoppedBy::plateau);
   }
 
   TEST_CASE("goal and values of an analysis are recorded") {
@@ -269,12 +270,16 @@ TEST_SUITE("unit") {
   }
 
   TEST_CASE("a loop that goes on from finished cycles ends as one without a break") {
-    std::vector<int> calls, finished;
+    std::vector<int> calls, finished, replayed;
     std::vector<FinishedCycle> cycles;
     LoopInput input = grid_input(growing_grid(calls), 3);
     input.finished = [&](const CycleRecord& record, const Mesh& mesh, const Analysis&) {
       finished.push_back(record.cycle);
       cycles.push_back({record, mesh});
+    };
+    input.replayed = [&](const CycleRecord& record, const Mesh& mesh, const Analysis& analysis) {
+      CHECK(analysis.dofs == static_cast<Index>(mesh.points.size()));
+      replayed.push_back(record.cycle);
     };
     std::size_t measured = 0;
     input.measure_errors = [&](std::span<const Mesh> meshes) {
@@ -282,12 +287,14 @@ TEST_SUITE("unit") {
       return std::vector<double>(meshes.size(), 1.);
     };
     const VariantHistory whole = adapt_loop(input);
+    CHECK(replayed.empty());
     for (const std::size_t done : {1, 2, 4}) {
       input.initial = {};  // is not needed
       input.done.assign(cycles.begin(), cycles.begin() + static_cast<std::ptrdiff_t>(done));
       input.done[0].record.dofs = -7;  // records are kept as they are
       calls.clear();
       finished.clear();
+      replayed.clear();
       measured = 0;
       std::vector<FinishedCycle> kept;
       kept.swap(cycles);
@@ -295,6 +302,9 @@ TEST_SUITE("unit") {
       cycles.swap(kept);
       CHECK(calls == std::vector<int>{0, 1, 2, 3});
       CHECK(finished.size() == 4 - done);
+      CHECK(replayed.size() == done);
+      CHECK(replayed.front() == 0);
+      CHECK(replayed.back() == static_cast<int>(done) - 1);
       if (!finished.empty()) CHECK(finished.front() == static_cast<int>(done));
       CHECK(measured == 4);
       REQUIRE(rest.cycles.size() == 4);

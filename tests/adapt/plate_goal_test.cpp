@@ -127,6 +127,18 @@ TEST_SUITE("unit") {
     CHECK(mismatch(PlateElement::arnold_falk, kWhole) == 0);
   }
 
+  TEST_CASE("a force that the solution lacks is refused and no mean taken for it") {
+    const Mesh mesh = square_mesh(4);
+    const FeMesh fe = straight_fe_mesh(mesh);
+    PlateProblem problem = plate(unit_bending(0.1), 1.);
+    support_all_sides(SupportKind::soft_support, problem);
+    PlateSolution solution = solve_plate(fe, problem);
+    CHECK(goal_value(fe, problem, solution, kRightForce) == doctest::Approx(-0.25).epsilon(1e-6));
+    std::erase_if(solution.reactions, [](const PlateReaction& r) { return r.tag == kRight; });
+    CHECK_THROWS_WITH_AS(goal_value(fe, problem, solution, kRightForce),
+                         doctest::Contains("has no reaction there"), InputError);
+  }
+
   TEST_CASE("plate goals that make no sense are refused") {
     const Mesh mesh = square_mesh(2);
     const FeMesh fe = straight_fe_mesh(mesh);

@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include "solver/scalar/norms.hpp"
 #include "tests/adapt/flux_data.hpp"
 
 using namespace anisofront;
@@ -23,13 +22,8 @@ struct Bound {
 
 Bound bound_on(const Mesh& mesh, int order, const ExactSolution& exact, double diffusion,
                double reaction) {
-  const FeMesh fe = straight_fe_mesh(mesh);
-  const ScalarProblem problem = dirichlet_problem(exact, diffusion, reaction);
-  ScalarOptions options;
-  options.order = order;
-  const ScalarField field = solve_scalar(fe, problem, options).field;
-  return {estimate_by_residual(fe, problem, field).error,
-          error_norms(fe, problem, exact, field).energy};
+  const SolvedProblem solved = solved_problem(mesh, order, exact, diffusion, reaction);
+  return {estimate_by_residual(solved.mesh, solved.problem, solved.field).error, solved.true_error};
 }
 
 }  // namespace

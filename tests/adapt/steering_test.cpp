@@ -99,8 +99,11 @@ TEST_CASE("a plateau takes two small changes at an equal number of vertices") {
   CHECK_FALSE(stops({cycle(0, 100, 1.), cycle(1, 100, 1.06), cycle(2, 100, 1.06)}));
   CHECK_FALSE(stops({cycle(0, 100, 1.), cycle(1, 100, 1.), cycle(2, 110, 1.)}));
   CHECK_FALSE(stops({cycle(0, 100, {}), cycle(1, 100, 1.), cycle(2, 100, 1.)}));
-  CHECK(*reason_to_stop(rules, {cycle(0, 9, 9.), cycle(1, 9, 1.), cycle(2, 9, 1.), cycle(3, 9, 1.)},
-                        0) ==
+  const StopReason reason =
+      reason_to_stop(rules, {cycle(0, 9, 9.), cycle(1, 9, 1.), cycle(2, 9, 1.), cycle(3, 9, 1.)}, 0)
+          .value();
+  CHECK(reason.by == StoppedBy::plateau);
+  CHECK(reason.words ==
         "plateau after 3 cycles: the estimate changed by less than 5 % in two cycles at 9 "
         "vertices");
 }
@@ -108,7 +111,9 @@ TEST_CASE("a plateau takes two small changes at an equal number of vertices") {
 TEST_CASE("the budget of vertices counts those of the next mesh") {
   const StopRules rules{.max_vertices = 1000};
   CHECK_FALSE(reason_to_stop(rules, {cycle(0, 9999, {})}, 1000));
-  CHECK(*reason_to_stop(rules, {cycle(4, 9, {})}, 1001) ==
+  const StopReason reason = reason_to_stop(rules, {cycle(4, 9, {})}, 1001).value();
+  CHECK(reason.by == StoppedBy::budget);
+  CHECK(reason.words ==
         "budget reached after 4 cycles: the next mesh would have about 1001 vertices, 1000 are "
         "allowed");
 }
@@ -117,8 +122,10 @@ TEST_CASE("the budget of seconds counts all phases of all cycles") {
   const StopRules rules{.max_seconds = 42};
   const CycleSeconds six{1, 2, 3, 4, 5, 6};  // 21 in all
   CHECK_FALSE(reason_to_stop(rules, {cycle(0, 9, {}, six)}, 9));
-  CHECK(*reason_to_stop(rules, {cycle(0, 9, {}, six), cycle(1, 9, {}, six)}, 9) ==
-        "budget reached after 1 cycles: 42 of 42 seconds are used");
+  const StopReason reason =
+      reason_to_stop(rules, {cycle(0, 9, {}, six), cycle(1, 9, {}, six)}, 9).value();
+  CHECK(reason.by == StoppedBy::budget);
+  CHECK(reason.words == "budget reached after 1 cycles: 42 of 42 seconds are used");
 }
 
 TEST_SUITE_END();

@@ -8,12 +8,12 @@
 set -eu
 
 packages="g++ cmake ninja-build ccache libeigen3-dev libsuitesparse-dev libopenblas-dev
-  liblemon-dev libcli11-dev libspdlog-dev nlohmann-json3-dev libtomlplusplus-dev libmuparser-dev
+  zlib1g-dev liblemon-dev libcli11-dev libspdlog-dev nlohmann-json3-dev libtomlplusplus-dev libmuparser-dev
   gnuplot-nox librsvg2-bin"
 for option in "$@"; do
   case "$option" in
     --tests) packages="$packages clang-format doctest-dev librapidcheck-dev libcgal-dev gmsh
-      universal-ctags" ;;
+      universal-ctags chromium nodejs dpkg-dev" ;;
     --bench) packages="$packages libbenchmark-dev freefem++ gmsh rheolef jq time" ;;
     *) echo "setup.sh: unknown option $option; there are --tests and --bench" >&2; exit 3 ;;
   esac

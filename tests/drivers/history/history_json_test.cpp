@@ -60,6 +60,8 @@ TEST_CASE("history.json has schema 1") {
   const Json history = history_json("t", {example(true)});
   CHECK(history["schema"] == 1);
   CHECK(history["title"] == "t");
+  CHECK(std::count(history["version"].get_ref<const std::string&>().begin(),
+                   history["version"].get_ref<const std::string&>().end(), '.') == 2);
   const Json& variant = history["variants"][0];
   CHECK(variant["name"] == "iso");
   CHECK(variant["settings"]["adapt.mode"] == "isotropic");
@@ -78,6 +80,53 @@ TEST_CASE("history.json has schema 1") {
   CHECK(cycle["edge_length"]["histogram"]["bounds"][9] == 1.0);
   CHECK(cycle["edge_length"]["histogram"]["counts"].size() == 31);
   CHECK(cycle["error"]["estimate"].is_null());
+}
+
+TEST_CASE("what stopped a variant is a word that is read back") {
+  VariantHistory variant = example(false);
+  CHECK(variant_json(variant, "")["stopped_by"].is_null());
+  CHECK_FALSE(variant_history(variant_json(variant, "")).stopped_by.has_value());
+  for (const auto& [by, word] :
+       {std::pair{StoppedBy::cycles, "cycles"}, std::pair{StoppedBy::target, "target"},
+        std::pair{StoppedBy::plateau, "plateau"}, std::pair{StoppedBy::budget, "budget"},
+        std::pair{StoppedBy::interrupted, "interrupted"}, std::pair{StoppedBy::failed, "failed"}}) {
+    variant.stopped_by = by;
+    const Json json = variant_json(variant, "");
+    CHECK(json["stopped_by"] == word);
+    CHECK(variant_history(json).stopped_by == by);
+  }
+  Json old = variant_json(variant, "");
+  old.erase("stopped_by");
+  CHECK_FALSE(variant_history(old).stopped_by.has_value());
+}
+
+TEST_CASE("qualities are counted up to twenty bounds beside the lengths") {
+  VariantHistory variant = example(true);
+  variant.cycles[0].background.quality_histogram[17] = 14;
+  variant.cycles[0].exact->quality_histogram[3] = 12;
+  variant.cycles[0].exact->quality_histogram[19] = 2;
+  const Json cycle = history_json("t", {variant})["variants"][0]["cycles"][0];
+  const Json exact = cycle["quality"]["histogram"];
+  REQUIRE(exact["bounds"].size() == 20);
+  CHECK(exact["bounds"][0] == 0.05);
+  CHECK(exact["bounds"][6] == 0.35);
+  CHECK(exact["bounds"][19] == 1.0);
+  REQUIRE(exact["counts"].size() == 20);
+  CHECK(exact["counts"][3] == 12);
+  CHECK(exact["counts"][19] == 2);
+  CHECK(cycle["background"]["quality"]["histogram"]["counts"][17] == 14);
+}
+
+TEST_CASE("records of older programs come without counts of qualities") {
+  VariantHistory variant = example(true);
+  variant.cycles[0].background.quality_histogram[17] = 14;
+  Json json = variant_json(variant, "");
+  CHECK(variant_history(json).cycles[0].background.quality_histogram[17] == 14);
+  for (Json* part : {&json["cycles"][0], &json["cycles"][0]["background"]})
+    (*part)["quality"].erase("histogram");
+  const CycleRecord old = variant_history(json).cycles[0];
+  CHECK(old.background.quality_histogram == std::array<std::int64_t, kQualityBins>{});
+  CHECK(old.background.quality_mean == 0.9);
 }
 
 TEST_CASE("a prescribed metric has statistics against the formula and the background") {

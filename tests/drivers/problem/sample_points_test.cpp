@@ -78,17 +78,17 @@ TEST_CASE("a line on a curve runs in equal steps of arc length with its tangents
   const Mesh mesh = coarse_disc();
   const FeMesh fe = straight_fe_mesh(mesh);
   OutputRequests requests;
-  requests.lines.push_back({"rim", "rim", {}, {}, 9, "s.toml:1:1: output.lines[0]"});
+  requests.lines.push_back({.name = "rim", .curve = "rim", .points = 9});
   const SampleLine line = locate_requests(requests, disc(), fe).lines.at(0);
-  REQUIRE(line.points.size() == 9);
+  REQUIRE(line.places.size() == 9);
   for (int i = 0; i < 9; ++i) {
     const double angle = i * std::numbers::pi / 4;
     const auto k = static_cast<std::size_t>(i);
-    CHECK(line.lengths[k] == doctest::Approx(2 * angle));
-    CHECK(norm(line.points[k].at - Point{2 * std::cos(angle), 2 * std::sin(angle)}) < 1e-9);
-    CHECK(norm(line.tangents[k] - Vector{-std::sin(angle), std::cos(angle)}) < 1e-9);
+    CHECK(line.line.lengths[k] == doctest::Approx(2 * angle));
+    CHECK(norm(line.line.points[k] - Point{2 * std::cos(angle), 2 * std::sin(angle)}) < 1e-9);
+    CHECK(norm(line.line.tangents[k] - Vector{-std::sin(angle), std::cos(angle)}) < 1e-9);
     // At a vertex in the two triangles there, between two in one.
-    CHECK(line.points[k].places.size() == (i % 2 == 0 ? 2u : 1u));
+    CHECK(line.places[k].size() == (i % 2 == 0 ? 2u : 1u));
   }
 }
 
@@ -102,6 +102,18 @@ TEST_CASE("points between a curve and its chords belong to the mesh and others d
   CHECK(message_of<UsageError>([&] { locate_requests(requests, disc(), fe); }) ==
         "s.toml:2:1: output.values[1] \"far\" at (x, y) = (3, 0) lies outside the domain, 1 away "
         "from it");
+}
+
+TEST_CASE("of points outside the nearest places are taken where nothing is to be refused") {
+  const Mesh mesh = mixed_mesh();
+  const FeMesh fe = straight_fe_mesh(mesh);
+  const std::vector<Point> points{{3, 0.5}, {0.25, 0.1}, {1, 0.25}};
+  const std::vector<Places> places = nearest_places(points, fe);
+  REQUIRE(places.size() == 3);
+  CHECK(numbers(places[0]) == std::vector<Index>{2});
+  CHECK(norm(map_at(places[0][0].element, places[0][0].at).x - Point{2, 0.5}) < 1e-12);
+  CHECK(numbers(places[1]) == std::vector<Index>{0});
+  CHECK(numbers(places[2]) == std::vector<Index>{0, 2});
 }
 
 TEST_SUITE_END();

@@ -70,13 +70,15 @@ CycleRecord full_record(int cycle) {
   CycleRecord record;
   record.cycle = cycle;
   record.dofs = 77;
-  MeshStatistics s{1,      2,    3,    4,   5,  6,   0.1, 0.2, 1. / 3,
-                   4. / 3, 50.5, 60.6, 1e5, 31, 151, 0.7, 8.5, {}};
+  MeshStatistics s{1,    2,    3,   4,  5,   6,   0.1, 0.2, 1. / 3, 4. / 3,
+                   50.5, 60.6, 1e5, 31, 151, 0.7, 8.5, {},  {}};
   s.histogram[30] = 1'000'000'007;
+  s.quality_histogram[19] = 1'000'000'009;
   record.background = s;
   s.quality_mean = 0.3;
   s.stretch_max = 9.5;
   s.histogram[0] = 3;
+  s.quality_histogram[0] = 5;
   record.exact = s;
   record.error = {0.01, 1. / 7, 1.1};
   record.goal = GoalRecord{-2.5, 1e-9};
@@ -152,9 +154,11 @@ TEST_CASE("a record comes back with every number") {
   CHECK(found.background.boundary_edges == 4);
   CHECK(found.background.complexity == 1e5);
   CHECK(found.background.histogram == expected.background.histogram);
+  CHECK(found.background.quality_histogram == expected.background.quality_histogram);
   REQUIRE(found.exact.has_value());
   CHECK(found.exact->stretch_max == 9.5);
   CHECK(found.exact->histogram == expected.exact->histogram);
+  CHECK(found.exact->quality_histogram == expected.exact->quality_histogram);
   CHECK(found.error.relative_energy == 1. / 7);
   CHECK(found.goal->error == 1e-9);
   CHECK(found.values[1].value == -1e-300);
@@ -291,6 +295,21 @@ TEST_CASE("the key of a variant follows the contents of its mesh files and not t
   };
   CHECK(key("a.mesh", mesh) == key("b.mesh", mesh));
   CHECK(key("a.mesh", mesh) != key("a.mesh", "\n" + mesh));
+}
+
+TEST_CASE("the key of a variant follows the contents of reference files and not their names") {
+  const TemporaryFolder folder;
+  const auto key = [&](const std::string& name, const std::string& content) {
+    folder.write(name, content);
+    const StudyFile study = read_study_file(folder.write(
+        "s.toml",
+        small_problem("target = { nodes = 50 }",
+                      "[output]\nlines = [{ name = \"l\", curve = \"left\", reference = \"" + name +
+                          "\" }]\n")));
+    return variant_key(study, study.variants.back());
+  };
+  CHECK(key("a.csv", "s,u\n0,1\n") == key("b.csv", "s,u\n0,1\n"));
+  CHECK(key("a.csv", "s,u\n0,1\n") != key("a.csv", "s,u\n0,2\n"));
 }
 
 TEST_CASE("digests agree with the vectors of the FNV authors") {

@@ -1,11 +1,13 @@
 #include "mesher/metric/statistics.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include <doctest/doctest.h>
 
 #include "mesher/geometry/error.hpp"
+#include "mesher/mesh/topology.hpp"
 #include "mesher/metric/metric_length.hpp"
 #include "mesher/metric/quality.hpp"
 #include "tests/mesher/metric/random_metric.hpp"
@@ -153,6 +155,46 @@ TEST_SUITE("unit") {
     CHECK_THROWS_AS(element_qualities(mesh, MetricField(5)), InputError);
   }
 
+  TEST_CASE("the qualities are counted in twenty bins") {
+    const auto counts = [](const Mesh& mesh, const MetricField& field) {
+      return mesh_statistics(mesh, field).quality_histogram;
+    };
+    std::array<std::int64_t, kQualityBins> expected{};
+    expected[17] = 2;  // sqrt 3 / 2 = 0.866
+    expected[19] = 1;  // 1 itself
+    CHECK(counts(mixed_mesh(), MetricField(6)) == expected);
+    // By hand as above: halves of a parallelogram of quality 1/4, which is a bound.
+    Mesh sheared;
+    sheared.points = {{0, 0}, {1, 0}, {2, 1}, {1, 1}};
+    sheared.quads = {{0, 1, 2, 3}};
+    expected = {};
+    expected[5] = 1;  // [0.25, 0.3)
+    CHECK(counts(sheared, MetricField(4)) == expected);
+    Mesh inverted = mixed_mesh();
+    inverted.points[4] = {1, -0.5};
+    CHECK(counts(inverted, MetricField(6))[0] == 2);  // the quad and the triangle below it
+    CHECK(counts(Mesh{}, {}) == std::array<std::int64_t, kQualityBins>{});
+  }
+
+  TEST_CASE("an element without an area has quality zero") {
+    Mesh flat;
+    flat.points = {{0, 0}, {1, 0}, {2, 0}, {1, 1}, {1, 1}};
+    flat.triangles = {{0, 1, 2}, {3, 3, 3}};  // 3, 3, 3: zero by zero
+    CHECK(mesh_statistics(flat, MetricField(5)).quality_histogram[0] == 2);
+  }
+
+  TEST_CASE("lengths of the edges of a mixed mesh by hand") {
+    const auto wide = [](Point) { return Metric{4, 0, 1}; };  // x counts twice
+    const std::vector<double> lengths = edge_lengths(mixed_mesh(), wide);
+    // Edges of 0 1 4 and 0 4 3 opposite their vertices, then 1-2, 2-5 and 5-4.
+    const double diagonal = std::sqrt(5.);
+    const std::vector<double> expected{1, diagonal, 2, 2, 1, 2, 1, 2};
+    REQUIRE(lengths.size() == expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      CHECK(lengths[i] == Approx(expected[i]).epsilon(1e-14));
+    CHECK(edge_lengths(Mesh{}, wide).empty());
+  }
+
   TEST_CASE("an inverted element shows as quality and mean") {
     Mesh mesh = mixed_mesh();
     mesh.points[4] = {1, -0.5};
@@ -230,6 +272,30 @@ TEST_SUITE("property") {
     CHECK(s.length_min == Approx(shortest).epsilon(1e-12));
     CHECK(s.length_max == Approx(longest).epsilon(1e-12));
     CHECK(total(s) == s.edges);
+  }
+
+  TEST_CASE("edge lengths are those that the statistics count") {
+    const auto metric = [](Point p) {
+      return metric_from_sizes(0.3 + 0.1 * p.x, 1 + 0.2 * p.y, {1, p.x - p.y});
+    };
+    Mesh mesh = equilateral_mesh(5);
+    mesh.points.push_back({2.5, 6});
+    mesh.points.push_back({3.5, 6});
+    mesh.quads = {{30, 31, 37, 36}};  // on the upper side
+    const std::vector<double> lengths = edge_lengths(mesh, metric);
+    const std::vector<std::array<Index, 2>> edges = mesh_edges(mesh);
+    REQUIRE(lengths.size() == edges.size());
+    const MeshStatistics s = mesh_statistics(mesh, metric);
+    CHECK(s.length_min == *std::min_element(lengths.begin(), lengths.end()));
+    CHECK(s.length_max == *std::max_element(lengths.begin(), lengths.end()));
+    std::array<std::int64_t, kLengthBins> counts{};
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      const auto [a, b] = edges[e];
+      CHECK(lengths[e] ==
+            Approx(segment_length(metric, mesh.points[a], mesh.points[b], 0.1)).epsilon(1e-12));
+      ++counts[std::min<std::size_t>(static_cast<std::size_t>(10 * lengths[e]), kLengthBins - 1)];
+    }
+    CHECK(counts == s.histogram);
   }
 
   TEST_CASE("along an edge of a field the size tensor is linear") {
