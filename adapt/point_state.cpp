@@ -37,8 +37,7 @@ Quantities plate_quantities() {
 
 PointState scalar_point_state(const FeMesh& mesh, std::shared_ptr<const ScalarSolution> solution) {
   return {scalar_quantities(), [&mesh, solution = std::move(solution)](const Location& place) {
-            const ScalarState state =
-                scalar_state(mesh, solution->field, place.element, place.at);
+            const ScalarState state = scalar_state(mesh, solution->field, place.element, place.at);
             return std::vector{state.value, state.gradient.x, state.gradient.y};
           }};
 }

@@ -1,36 +1,21 @@
 #include "drivers/base/console.hpp"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstdlib>
 #include <iostream>
 
-#include <spdlog/fmt/fmt.h>
-#include <spdlog/sinks/ostream_sink.h>
-#include <spdlog/sinks/stdout_color_sinks.h>
 #include <unistd.h>
 
 #include "drivers/base/interrupt.hpp"
+#include "drivers/base/log_line.hpp"
 
 namespace anisofront {
 namespace {
 
-std::shared_ptr<spdlog::logger> make_log(std::ostream& err) {
-  spdlog::sink_ptr sink;
-  if (&err == &std::cerr) {
-    // https://no-color.org: set and not empty
-    const char* no_colour = std::getenv("NO_COLOR");
-    const bool plain = no_colour != nullptr && *no_colour != '\0';
-    sink = std::make_shared<spdlog::sinks::stderr_color_sink_mt>(
-        plain ? spdlog::color_mode::never : spdlog::color_mode::automatic);
-  } else {
-    sink = std::make_shared<spdlog::sinks::ostream_sink_mt>(err, true);
-  }
-  auto log = std::make_shared<spdlog::logger>("anisofront", sink);
-  log->set_pattern("%^%l%$: %v");
-  return log;
-}
+// ECMA-48, 8.3.41 and 8.3.117: to the first column, erase to the end of the line, bold red, ...
+constexpr const char* kEraseLine = "\r\033[K";
+constexpr const char* kRed = "\033[1;31m";
+constexpr const char* kYellow = "\033[1;33m";
+constexpr const char* kPlain = "\033[0m";
 
 double now() {
   using Clock = std::chrono::steady_clock;
@@ -39,69 +24,88 @@ double now() {
 
 }  // namespace
 
-Console::Console(std::ostream& out, std::ostream& err) : out_(out), log_(make_log(err)) {
-  draws_bar_ = &err == &std::cerr && isatty(STDERR_FILENO) != 0;
-}
+Console::Console(std::ostream& out, std::ostream& err)
+    : out_(out),
+      err_(err),
+      terminal_(&err == &std::cerr ? terminal_of(STDERR_FILENO) : Terminal()),
+      last_drawn_(now()) {}
 
-void Console::set_verbosity(Verbosity verbosity) {
-  verbosity_ = verbosity;
-  if (verbosity == Verbosity::quiet) draws_bar_ = false;
-}
+Console::~Console() { end_progress(); }
+
+void Console::set_verbosity(Verbosity verbosity) { verbosity_ = verbosity; }
+
+void Console::set_log_format(LogFormat format) { format_ = format; }
 
 void Console::say(const std::string& text) {
   if (verbosity_ != Verbosity::quiet) print(text);
 }
 
-void Console::print(const std::string& text) {
+void Console::write(const std::string& text) {
   const std::lock_guard lock(mutex_);
   erase_bar();
-  out_ << text << '\n' << std::flush;
+  out_ << text << std::flush;
 }
+
+void Console::print(const std::string& text) { write(text + '\n'); }
 
 void Console::detail(const std::string& text) {
   if (is_verbose()) print(text);
 }
 
 void Console::warn(const std::string& text) {
-  const std::lock_guard lock(mutex_);
-  erase_bar();
-  if (verbosity_ != Verbosity::quiet) log_->warn("{}", text);
+  if (verbosity_ != Verbosity::quiet) log("warning", kYellow, text);
 }
 
-void Console::error(const std::string& text) {
+void Console::error(const std::string& text) { log("error", kRed, text); }
+
+void Console::log(const std::string& level, const std::string& colour, const std::string& text) {
   const std::lock_guard lock(mutex_);
   erase_bar();
-  log_->error("{}", text);
+  if (format_ == LogFormat::json)
+    err_ << json_log_line(level, text) << std::endl;
+  else if (terminal_.has_colour)
+    err_ << colour << level << ':' << kPlain << ' ' << text << std::endl;
+  else
+    err_ << level << ": " << text << std::endl;
 }
 
-void Console::progress(std::string_view label, double fraction) {
+void Console::event(const std::string& name, const std::string& message, const Json& fields) {
+  if (format_ != LogFormat::json) return;
+  Json event{{"event", name}};
+  event.update(fields);
+  const std::lock_guard lock(mutex_);
+  err_ << json_log_line("info", message, event) << std::endl;
+}
+
+void Console::progress(const WorkState& state) {
   constexpr double kSecondsBetween = 0.1;
-  constexpr int kWidth = 30;
+  if (!terminal_.can_redraw || verbosity_ == Verbosity::quiet || format_ == LogFormat::json) return;
   const std::lock_guard lock(mutex_);
   const double time = now();
-  if (!draws_bar_ || time - last_drawn_ < kSecondsBetween) return;
+  if (time - last_drawn_ < kSecondsBetween) return;
   last_drawn_ = time;
   bar_shown_ = true;
-  const int filled = static_cast<int>(std::lround(kWidth * std::clamp(fraction, 0., 1.)));
-  std::cerr << fmt::format("\r\033[K[{:#<{}}{:.<{}}] {}", "", filled, "", kWidth - filled, label)
-            << std::flush;
+  const int columns = terminal_columns(STDERR_FILENO, 80);
+  err_ << kEraseLine << bar_line(state, columns, terminal_.has_colour) << std::flush;
 }
 
 void Console::end_progress() {
   const std::lock_guard lock(mutex_);
   erase_bar();
+  last_drawn_ = 0;  // what follows need not wait
 }
 
 void Console::erase_bar() {
-  if (bar_shown_) std::cerr << "\r\033[K" << std::flush;
+  if (bar_shown_) err_ << kEraseLine << std::flush;
   bar_shown_ = false;
 }
 
-Monitor Console::monitor(const std::string& label) {
+Monitor Console::monitor(const std::string& label, const PhasePlan& plan) {
   Monitor monitor;
   monitor.warn = [this](const std::string& message) { warn(message); };
-  monitor.progress = [this, label](std::string_view phase, double fraction) {
-    progress(fmt::format("{}: {}", label, phase), fraction);
+  monitor.progress = [this, work = PhasedWork(label, plan), start = now()](
+                         std::string_view phase, double fraction) mutable {
+    progress(work.report(phase, fraction, now() - start));
     return !InterruptGuard::requested();
   };
   return monitor;

@@ -13,8 +13,8 @@ struct TextTable {
   bool ends_in_text = false;       ///< the last column holds texts
 };
 
-/// Columns aligned with spaces, texts (the first two columns) left and numbers right, a rule below
-/// the header.
+/// Columns aligned with spaces, texts (the first column, the second where it has letters) left and
+/// numbers right, a rule below the header.
 std::string as_text(const TextTable& table);
 
 }  // namespace anisofront

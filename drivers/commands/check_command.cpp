@@ -29,18 +29,26 @@ int check(const CheckArguments& arguments, Console& console) {
 
 }  // namespace
 
-void add_check_command(CLI::App& app, Console& console, int& exit_code) {
+void add_check_command(CLI::App& app, Session& session) {
   CLI::App* command = app.add_subcommand("check", "Validity, quality and edge lengths of any mesh");
   auto arguments = std::make_shared<CheckArguments>();
-  command->add_option("MESH", arguments->mesh, "Mesh (.msh, .mesh)")->required();
-  command->add_option("--metric", arguments->metric,
-                      "Metric on the vertices: .sol, or .msh with node data");
-  command->add_flag("--json", arguments->json, "JSON instead of text");
-  add_verbosity(*command, console);
+  command->add_option("MESH", arguments->mesh, "Mesh (.msh, .mesh)")
+      ->required()
+      ->check(file_name({".msh", ".mesh"}));
+  command
+      ->add_option("--metric", arguments->metric,
+                   "Metric on the vertices of the mesh: .sol, or .msh with node data")
+      ->type_name("FILE")
+      ->check(file_name({".sol", ".msh"}));
+  command->add_flag("--json", arguments->json, "JSON on stdout instead of text");
+  add_verbosity(*command, session.console);
   command->footer(
-      "Exit code 4 when the mesh is not valid.\nExample:\n"
-      "  anisofront check fine.mesh --metric fine.sol");
-  command->callback([arguments, &console, &exit_code] { exit_code = check(*arguments, console); });
+      "Without a metric, shapes and angles are measured as they are; with one, in the metric, and "
+      "the lengths of the edges too. The exit code is 4 when the mesh is not valid.\n\nExamples:\n"
+      "  anisofront check quads.mesh --metric quads.sol\n"
+      "  anisofront check floor.msh --json");
+  command->callback(
+      [arguments, &session] { session.exit_code = check(*arguments, session.console); });
 }
 
 }  // namespace anisofront

@@ -2,10 +2,26 @@
 
 #include <algorithm>
 
+#include <unistd.h>
+
+#include "drivers/base/terminal.hpp"
 #include "drivers/base/text.hpp"
+#include "drivers/commands/command_tree.hpp"
 #include "mesher/geometry/error.hpp"
 
 namespace anisofront {
+
+std::string help_of(const CLI::App& command) {
+  constexpr int kWidest = 100;
+  return help_text(describe(command), std::min(kWidest, terminal_columns(STDOUT_FILENO, kWidest)));
+}
+
+void set_help_style(CLI::App& app) {
+  app.formatter_fn([](const CLI::App* command, const std::string&, CLI::AppFormatMode) {
+    return help_of(*command);
+  });
+  app.set_help_flag("-h,--help", "This text");
+}
 
 void add_verbosity(CLI::App& command, Console& console) {
   auto* quiet = command.add_flag_callback(
@@ -14,22 +30,35 @@ void add_verbosity(CLI::App& command, Console& console) {
   auto* verbose = command.add_flag_callback(
       "-v,--verbose", [&console] { console.set_verbosity(Verbosity::verbose); },
       "Details and times");
-  quiet->excludes(verbose);
+  quiet->excludes(verbose)->group(kGeneralGroup);
+  verbose->group(kGeneralGroup);
+  // Read by asked_log_format() before anything else.
+  command
+      .add_option_function<std::string>(
+          "--log-format", [](const std::string&) {},
+          "Lines on stderr: for people, or one JSON object each for programs")
+      ->type_name("WORD")
+      ->check(one_of({"text", "json"}))
+      ->group(kGeneralGroup);
 }
 
 void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
   // One value per --set, so that the study file may follow it.
-  command.add_option("--set", overrides, "key=value in place of what the study says")
+  command
+      .add_option("--set", overrides,
+                  "In place of what the study says, such as adapt.cycles=3; any number of times")
       ->take_all()
       ->expected(1)
       ->type_name("KEY=VALUE");
 }
 
 void add_output_format(CLI::App& command, OutputFormat& format) {
-  command.add_option("--format", format.version, "Version of .msh files: 4.1 or 2.2")
-      ->check(CLI::IsMember({"4.1", "2.2"}))
-      ->capture_default_str();
-  command.add_flag("--binary", format.binary, "Binary .msh files");
+  command.add_option("--format", format.version, "Version of .msh files")
+      ->type_name("WORD")
+      ->check(one_of({"4.1", "2.2"}))
+      ->capture_default_str()
+      ->group("Output");
+  command.add_flag("--binary", format.binary, "Binary .msh files")->group("Output");
 }
 
 GmshFormat gmsh_format(const OutputFormat& format) {
@@ -44,6 +73,10 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
            (is_near ? name_proposal(word, words) : "");
   };
   return {complaint, joined(words, "|")};
+}
+
+CLI::Validator file_name(const std::vector<std::string>& suffixes) {
+  return {[](const std::string&) { return std::string(); }, joined(suffixes, "|")};
 }
 
 void require_writable_mesh(const std::filesystem::path& path) {

@@ -11,7 +11,14 @@
 
 namespace anisofront {
 
-/// Adds -q and -v.
+/// Help texts of a program and of the subcommands added from now on (see help_text()), as wide as
+/// the terminal, at most 100 columns.
+void set_help_style(CLI::App& app);
+
+/// The help of just this command, whatever was parsed.
+std::string help_of(const CLI::App& command);
+
+/// Adds what every command has: -q, -v and --log-format.
 void add_verbosity(CLI::App& command, Console& console);
 
 /// Adds --set key=value, any number of times.
@@ -29,8 +36,11 @@ GmshFormat gmsh_format(const OutputFormat& format);
 /// Refuses other words than those of the list and proposes the nearest one.
 CLI::Validator one_of(const std::vector<std::string>& words);
 
-/// Refuses, before any work is done, names that write_mesh_file() would refuse afterwards.
-/// Throws UsageError for other suffixes than .msh .mesh .vtu .svg and for missing folders.
+/// Accepts everything, and tells the shell which files to propose.
+CLI::Validator file_name(const std::vector<std::string>& suffixes);
+
+/// Refuses, before any work is done, names that write_mesh_file() would refuse afterwards. Throws
+/// UsageError for other suffixes than .msh .mesh .vtu .svg and for missing folders.
 void require_writable_mesh(const std::filesystem::path& path);
 
 }  // namespace anisofront

@@ -29,17 +29,24 @@ void convert(const ConvertArguments& arguments, Console& console) {
 
 }  // namespace
 
-void add_convert_command(CLI::App& app, Console& console) {
+void add_convert_command(CLI::App& app, Session& session) {
   CLI::App* command = app.add_subcommand(
-      "convert", "Between .msh (2.2, 4.1, ASCII, binary), .mesh/.sol, .vtu and .svg");
+      "convert", "Meshes between .msh (2.2, 4.1, ASCII, binary), .mesh/.sol, .vtu and .svg");
   auto arguments = std::make_shared<ConvertArguments>();
-  command->add_option("IN", arguments->input, "Mesh to read (.msh, .mesh)")->required();
+  command->add_option("IN", arguments->input, "Mesh to read (.msh, .mesh)")
+      ->required()
+      ->check(file_name({".msh", ".mesh"}));
   command->add_option("OUT", arguments->output, "Mesh to write (.msh, .mesh, .vtu, .svg)")
-      ->required();
+      ->required()
+      ->check(file_name({".msh", ".mesh", ".vtu", ".svg"}));
   add_output_format(*command, arguments->format);
-  add_verbosity(*command, console);
-  command->footer("Example:\n  anisofront convert plate.msh plate.vtu");
-  command->callback([arguments, &console] { convert(*arguments, console); });
+  add_verbosity(*command, session.console);
+  command->footer(
+      "Fields and references come along. The metric in NAME.sol is read with NAME.mesh.\n\n"
+      "Examples:\n"
+      "  anisofront convert floor.msh floor.vtu\n"
+      "  anisofront convert quads.mesh quads.msh --format 2.2");
+  command->callback([arguments, &session] { convert(*arguments, session.console); });
 }
 
 }  // namespace anisofront

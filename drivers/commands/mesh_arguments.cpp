@@ -44,25 +44,98 @@ CLI::Validator positive_number() {
 }
 
 void add_element_options(CLI::App& command, MeshArguments& a) {
-  command.add_flag("--quad", a.quad, "Quadrilaterals only: short for --elements quadrilateral");
+  const std::string group = "Elements";
+  command.add_flag("--quad", a.quad, "Quadrilaterals only: short for --elements quadrilateral")
+      ->group(group);
   command
       .add_option("--elements", a.elements,
-                  "triangle (default), quadrilateral, or mixed: triangles stay where no good"
-                  " quadrilateral can be made of them")
-      ->check(one_of(names_of(kElementNames)));
+                  "What the mesh consists of (default: triangle); mixed: triangles stay where no "
+                  "good quadrilateral can be made of them")
+      ->check(one_of(names_of(kElementNames)))
+      ->type_name("WORD")
+      ->group(group);
   command
       .add_option("--quad-method", a.quad_method,
-                  "best (default): coarse frame, clean-up, division, clean-up; paper: merging and"
-                  " division as published (default with --preset paper)")
-      ->check(one_of(names_of(kQuadMethodNames)));
+                  "best: coarse frame, clean-up, division, clean-up; paper: merging and division "
+                  "as published (default: that of --preset)")
+      ->check(one_of(names_of(kQuadMethodNames)))
+      ->type_name("WORD")
+      ->group(group);
   command
       .add_option("--quad-effort", a.quad_effort,
-                  "best (default), or fast: several times the speed, a little less quality")
-      ->check(one_of(names_of(kQuadEffortNames)));
+                  "fast: several times the speed, a little less quality (default: best)")
+      ->check(one_of(names_of(kQuadEffortNames)))
+      ->type_name("WORD")
+      ->group(group);
   command
       .add_option("--quad-start", a.quad_start,
                   "What the first quadrilaterals are made from; automatic tries several")
-      ->check(one_of(names_of(kQuadStartNames)));
+      ->check(one_of(names_of(kQuadStartNames)))
+      ->type_name("WORD")
+      ->group(group);
+}
+
+void add_metric_options(CLI::App& command, MeshArguments& a) {
+  const std::string group = "Metric";
+  auto* metric = command
+                     .add_option("--metric", a.metric,
+                                 "Metric on the vertices of INPUT: .sol, or .msh with node data "
+                                 "(default for NAME.mesh: NAME.sol)")
+                     ->type_name("FILE")
+                     ->check(file_name({".sol", ".msh"}))
+                     ->group(group);
+  command.add_option("--size", a.size, "The same size everywhere instead")
+      ->check(positive_number())
+      ->excludes(metric)
+      ->type_name("H")
+      ->group(group);
+  command.add_option("--gradation", a.gradation, "Largest growth of sizes per element, e.g. 1.5")
+      ->check(CLI::Range(1.0001, 1e6))
+      ->type_name("RATIO")
+      ->group(group);
+  command
+      .add_option("--max-nodes,--max-elements", a.max_nodes,
+                  "Refuse a metric that asks for more elements")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{2'000'000'000}))
+      ->type_name("N")
+      ->capture_default_str()
+      ->group(group);
+}
+
+void add_boundary_options(CLI::App& command, MeshArguments& a) {
+  const std::string group = "Boundary";
+  command.add_option("--domain", a.domain, "Study whose curves replace the boundary of INPUT")
+      ->type_name("STUDY")
+      ->check(file_name({".toml"}))
+      ->group(group);
+  command
+      .add_option("--corner-angle", a.corner_angle,
+                  "Boundary vertices that turn by more degrees are corners")
+      ->check(CLI::Range(0., 180.))
+      ->type_name("DEGREES")
+      ->capture_default_str()
+      ->group(group);
+  command.add_flag("--smooth", a.smooth, "Smooth curves through the boundary between corners")
+      ->group(group);
+  command
+      .add_option("--chord-height", a.chord_height, "Largest distance of an edge from its curve")
+      ->check(positive_number())
+      ->type_name("H")
+      ->group(group);
+}
+
+void add_output_options(CLI::App& command, MeshArguments& a) {
+  const std::string group = "Output";
+  command.add_option("-o,--output", a.output, "Mesh to write (.msh, .mesh, .vtu, .svg)")
+      ->required()
+      ->type_name("OUT")
+      ->check(file_name({".msh", ".mesh", ".vtu", ".svg"}))
+      ->group(group);
+  command
+      .add_flag("--write-metric", a.write_metric,
+                "Write the metric too: OUT.sol beside a .mesh, node data in a .msh")
+      ->group(group);
+  add_output_format(command, a.format);
 }
 
 }  // namespace
@@ -74,38 +147,19 @@ std::optional<Elements> asked_elements(const MeshArguments& arguments) {
 }
 
 void add_mesh_options(CLI::App& command, MeshArguments& a) {
-  command.add_option("INPUT", a.input, "Study (.toml), .msh or .mesh")->required();
-  auto* metric = command.add_option("--metric", a.metric,
-                                    "Metric on the vertices of INPUT: .sol, or .msh with node data"
-                                    " (default for NAME.mesh: NAME.sol)");
-  command.add_option("--size", a.size, "The same size everywhere instead")
-      ->check(positive_number())
-      ->excludes(metric);
-  command.add_option("--domain", a.domain, "Study whose curves replace the boundary of INPUT");
-  command.add_option("-o,--output", a.output, "Mesh to write (.msh, .mesh, .vtu, .svg)")
-      ->required();
-  command.add_option("--preset", a.preset, "best (default) or paper")
-      ->check(one_of({"best", "paper"}));
+  command.add_option("INPUT", a.input, "Study (.toml) or mesh (.msh, .mesh)")
+      ->required()
+      ->check(file_name({".toml", ".msh", ".mesh"}));
+  add_output_options(command, a);
+  add_metric_options(command, a);
   add_element_options(command, a);
+  add_boundary_options(command, a);
   command
-      .add_option("--corner-angle", a.corner_angle,
-                  "Boundary vertices that turn by more degrees are corners")
-      ->check(CLI::Range(0., 180.))
-      ->capture_default_str();
-  command.add_flag("--smooth", a.smooth, "Smooth curves through the boundary between corners");
-  command
-      .add_option("--chord-height", a.chord_height, "Largest distance of an edge from its curve")
-      ->check(positive_number());
-  command.add_option("--gradation", a.gradation, "Largest growth of sizes per element, e.g. 1.5")
-      ->check(CLI::Range(1.0001, 1e6));
-  command
-      .add_option("--max-nodes,--max-elements", a.max_nodes,
-                  "Refuse a metric that asks for more elements")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{2'000'000'000}))
-      ->capture_default_str();
-  command.add_flag("--write-metric", a.write_metric,
-                   "Write the metric too: OUT.sol beside a .mesh, node data in a .msh");
-  add_output_format(command, a.format);
+      .add_option("--preset", a.preset,
+                  "paper: every stage as published (default: that of the study, or best)")
+      ->check(one_of({"best", "paper"}))
+      ->type_name("WORD")
+      ->group("Elements");
 }
 
 void apply_arguments(const MeshArguments& arguments, GenerateOptions& options) {

@@ -66,9 +66,9 @@ MetricField metric_on(const Mesh& mesh, const MeshArguments& arguments, Console&
 
 MetricField study_metric(const Study& study, const Start& start) {
   if (!study.metric)
-    throw UsageError(study.file.string() +
-                     ": has no [metric]; give --metric or --size, or solve it with `run` or "
-                     "`solve`");
+    throw UsageError(
+        study.file.string() +
+        ": has no [metric]; give --metric or --size, or solve it with `run` or `solve`");
   const MetricFunction metric =
       prescribed_metric(*study.metric, start.domain, prescribed_limits(study));
   MetricField field;
@@ -148,16 +148,25 @@ void write_result(const MeshArguments& arguments, MeshFile file, const MetricFie
   write_mesh_file(arguments.output, file, gmsh_format(arguments.format));
 }
 
+/// As large meshes take their time; how often quadrilaterals are cleaned up cannot be foretold.
+PhasePlan phases(const GenerateOptions& options) {
+  if (options.elements == Elements::triangle)
+    return {{{"front", 0, 0.3}, {"enhance", 0.3, 0.9}}, true};
+  return {{{"front", 0, 0.05}, {"enhance", 0.05, 0.1}, {"quads", 0.1, 0.9}}, false};
+}
+
 void mesh(const MeshArguments& arguments, Console& console) {
   require_writable_mesh(arguments.output);
   Stopwatch watch;
   Source source = is_study(arguments.input) ? source_from_study(arguments, console)
                                             : source_from_mesh(arguments, console);
   apply_arguments(arguments, source.options);
+  if (!is_study(arguments.input) && arguments.domain.empty())
+    source.options.boundary.corner_angle = arguments.corner_angle;
   const double read = watch.lap();
   GenerateResult result =
       generate(source.domain, std::move(source.background), std::move(source.field), source.options,
-               console.monitor("mesh"));
+               console.monitor("mesh", phases(source.options)));
   console.end_progress();
   watch.lap();
   const Counts counts = counts_of(result.mesh);
@@ -169,16 +178,19 @@ void mesh(const MeshArguments& arguments, Console& console) {
 
 }  // namespace
 
-void add_mesh_command(CLI::App& app, Console& console) {
+void add_mesh_command(CLI::App& app, Session& session) {
   CLI::App* command = app.add_subcommand("mesh", "One mesh that fits a metric");
   auto arguments = std::make_shared<MeshArguments>();
   add_mesh_options(*command, *arguments);
-  add_verbosity(*command, console);
+  add_verbosity(*command, session.console);
   command->footer(
-      "References, corners and required vertices of INPUT are kept.\nExample:\n"
-      "  anisofront mesh in.mesh --metric in.sol -o out.mesh\n"
-      "  anisofront mesh in.mesh --metric in.sol --quad --quad-effort fast -o quads.msh");
-  command->callback([arguments, &console] { mesh(*arguments, console); });
+      "A study brings its domain and its prescribed metric. A mesh brings the boundary, whose "
+      "references, corners and required vertices are kept, and NAME.mesh the metric in "
+      "NAME.sol.\n\nExamples:\n"
+      "  anisofront mesh floor.toml --size 0.05 -o floor.msh\n"
+      "  anisofront mesh floor.msh --size 0.1 --quad --write-metric -o quads.mesh\n"
+      "  anisofront mesh quads.mesh --metric quads.sol --gradation 1.3 -o triangles.mesh");
+  command->callback([arguments, &session] { mesh(*arguments, session.console); });
 }
 
 }  // namespace anisofront

@@ -52,35 +52,42 @@ void explain(const ExplainArguments& arguments, Console& console) {
   console.print(text);
 }
 
-void add_explain_command(CLI::App& metric, Console& console) {
+void add_explain_command(CLI::App& metric, Session& session) {
   CLI::App* command =
       metric.add_subcommand("explain", "Which stage of its making set the sizes at a point");
+  command->group("Commands");
   auto arguments = std::make_shared<ExplainArguments>();
-  command->add_option("STUDY", arguments->study, "Study file (.toml)")->required();
+  command->add_option("STUDY", arguments->study, "Study file (.toml)")
+      ->required()
+      ->check(file_name({".toml"}));
   command->add_option("--at", arguments->at, "The point")->required()->type_name("X,Y");
-  command->add_option("--mesh", arguments->mesh,
-                      "A mesh of the same domain, such as cycle-3.msh of an earlier run (default: "
-                      "the initial mesh)");
-  command->add_option("--variant", arguments->variant, "Variant of the study (default: the first)");
+  command
+      ->add_option("--mesh", arguments->mesh,
+                   "A mesh of the same domain, such as cycle-3.msh of an earlier run (default: the "
+                   "initial mesh)")
+      ->type_name("FILE")
+      ->check(file_name({".msh", ".mesh"}));
+  command->add_option("--variant", arguments->variant, "Variant of the study (default: the first)")
+      ->type_name("NAME");
   add_overrides(*command, arguments->overrides);
-  add_verbosity(*command, console);
+  add_verbosity(*command, session.console);
   command->footer(
-      "Solves on the mesh, then says in words what set the two sizes of the metric.\nExample:\n"
-      "  anisofront metric explain data/studies/reaction-diffusion-layer.toml --at 0.99,0.5\n"
-      "  anisofront metric explain layer/study.toml --at 0.99,0.5 --mesh "
-      "layer/anisotropic/cycle-3.msh --variant anisotropic");
-  command->callback([arguments, &console] { explain(*arguments, console); });
+      "Solves on the mesh, then says in words what set the two sizes of the metric there: the "
+      "error, a layer, a limit or the gradation, or the entry of a prescribed list. The sizes "
+      "after each stage follow.\n\nExamples:\n"
+      "  anisofront metric explain floor.toml --at 0.02,0.5\n"
+      "  anisofront metric explain layer.toml --at 1,0.5 --mesh layer-results/coarse/cycle-3.msh");
+  command->callback([arguments, &session] { explain(*arguments, session.console); });
 }
 
 }  // namespace
 
-void add_metric_command(CLI::App& app, Console& console) {
+void add_metric_command(CLI::App& app, Session& session) {
   CLI::App* command = app.add_subcommand("metric", "Questions about the metric of a study");
   command->require_subcommand(1);
-  add_explain_command(*command, console);
-  command->footer(
-      "Example:\n"
-      "  anisofront metric explain data/studies/reaction-diffusion-layer.toml --at 0.99,0.5");
+  add_verbosity(*command, session.console);
+  add_explain_command(*command, session);
+  command->footer("Example:\n  anisofront metric explain floor.toml --at 0.02,0.5");
 }
 
 }  // namespace anisofront

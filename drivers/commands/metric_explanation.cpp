@@ -99,9 +99,10 @@ TextTable stage_table(const std::vector<StageSizes>& stages) {
   table.header = {"stage", "sets", "h1", "h2", "h2/h1", "direction of h1"};
   for (const StageSizes& s : stages) {
     const Vector e = s.e1.x < 0 || (s.e1.x == 0 && s.e1.y < 0) ? -s.e1 : s.e1;
+    const auto shown = [](double value) { return std::round(1000 * value) / 1000 + 0.; };
     table.rows.push_back({s.stage, decided_text(s), fmt::format("{:.4g}", s.h1),
                           fmt::format("{:.4g}", s.h2), fmt::format("{:.2f}", s.h2 / s.h1),
-                          fmt::format("({:.3f}, {:.3f})", e.x + 0., e.y + 0.)});
+                          fmt::format("({:.3f}, {:.3f})", shown(e.x), shown(e.y))});
     table.is_reference.push_back(false);
   }
   return table;
@@ -110,8 +111,8 @@ TextTable stage_table(const std::vector<StageSizes>& stages) {
 std::string formula_line(const MetricFunction& metric, Point p) {
   const PrincipalAxes axes = principal_axes(metric(p));
   return fmt::format(
-      "The formulas themselves ask for {:.4g} and {:.4g} there; between the "
-      "vertices of the mesh the metric is interpolated.\n",
+      "The formulas themselves ask for {:.4g} and {:.4g} there; between the vertices of the mesh "
+      "the metric is interpolated.\n",
       axes.h1, axes.h2);
 }
 

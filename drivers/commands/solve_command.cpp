@@ -23,19 +23,24 @@ void solve(const SolveArguments& arguments, Console& console) {
 
 }  // namespace
 
-void add_solve_command(CLI::App& app, Console& console) {
+void add_solve_command(CLI::App& app, Session& session) {
   CLI::App* command = app.add_subcommand("solve", "One solve on the initial mesh of a study");
   auto arguments = std::make_shared<SolveArguments>();
-  command->add_option("STUDY", arguments->study, "Study file (.toml) with a [problem]")->required();
-  command->add_option("-o,--output", arguments->directory,
-                      "Folder for the results (default: name of the study + \"-solution\")");
+  command->add_option("STUDY", arguments->study, "Study file (.toml) with a [problem]")
+      ->required()
+      ->check(file_name({".toml"}));
+  command
+      ->add_option("-o,--output", arguments->directory,
+                   "Folder for the results (default: name of the study + \"-solution\")")
+      ->type_name("DIR");
   add_overrides(*command, arguments->overrides);
-  add_verbosity(*command, console);
+  add_verbosity(*command, session.console);
   command->footer(
-      "Writes solution.json, solution.msh, solution.vtu and lines/NAME.csv.\nExample:\n"
-      "  anisofront solve data/studies/plate-square-soft-support.toml -o plate\n"
-      "  anisofront solve data/studies/poisson-l-shape.toml --set problem.order=2");
-  command->callback([arguments, &console] { solve(*arguments, console); });
+      "Writes solution.json, solution.msh, solution.vtu and lines/NAME.csv; with [vary] each "
+      "variant has a folder of its own.\n\nExamples:\n"
+      "  anisofront solve floor.toml\n"
+      "  anisofront solve floor.toml -o quads --set mesh.elements=quadrilateral");
+  command->callback([arguments, &session] { solve(*arguments, session.console); });
 }
 
 }  // namespace anisofront

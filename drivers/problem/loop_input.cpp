@@ -74,6 +74,8 @@ GenerateOptions study_options(const Study& study) {
   options.quads = study.quads;
   options.max_elements = study.max_elements;
   options.boundary.chord_height = study.chord_height;
+  // The outline of a mesh has corners where the study says so.
+  if (!study.domain_mesh.empty()) options.boundary.corner_angle = study.domain_options.corner_angle;
   return options;
 }
 
@@ -86,6 +88,7 @@ Mesh uniform_mesh(const Domain& domain, double size, const GenerateOptions& opti
   uniform.elements = options.elements;
   uniform.quads = options.quads;
   uniform.boundary.chord_height = options.boundary.chord_height;
+  uniform.boundary.corner_angle = options.boundary.corner_angle;
   return generate(domain, box, field, uniform, monitor).mesh;
 }
 

@@ -1,153 +1,122 @@
 #include "drivers/report/figures.hpp"
 
-#include <spdlog/fmt/fmt.h>
+#include <algorithm>
+#include <iterator>
 
-#include "drivers/base/process.hpp"
 #include "drivers/base/text.hpp"
+#include "drivers/report/figure_folder.hpp"
+#include "drivers/report/figure_gnuplot.hpp"
+#include "drivers/report/figure_plots.hpp"
+#include "drivers/report/figure_style.hpp"
+#include "drivers/report/mesh_picture.hpp"
+#include "mesher/geometry/error.hpp"
 
 namespace anisofront {
 namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kStyle =
-    "set encoding utf8\n"
-    "set terminal svg size 720,440 font 'sans-serif,13' background '#ffffff'\n"
-    "set border 3 lc '#555555'\nset tics nomirror\nset grid lc '#dddddd'\n"
-    "set style line 1 lc '#bbbbbb' lw 1.5 pt 7 ps 0.5\n"
-    "set style line 2 lc '#88ccee' lw 1.5 pt 7 ps 0.5\n"
-    "set style line 3 lc '#44aa99' lw 1.5 pt 5 ps 0.5\n"
-    "set style line 4 lc '#ddaa33' lw 1.5 pt 9 ps 0.5\n"
-    "set style line 5 lc '#aa4499' lw 1.5 pt 11 ps 0.5\n"
-    "set style line 6 lc '#332288' lw 2 pt 13 ps 0.5\n";
+constexpr std::size_t kManyVariants = 12;
 
-/// Inside single quotes of gnuplot.
-std::string quoted(const std::string& text) {
-  std::string safe;
-  for (const char c : text) safe += c == '\'' ? std::string("''") : std::string(1, c);
-  return "'" + safe + "'";
+void append(std::vector<Plot>& all, std::vector<Plot> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
-/// Percent of the edges per histogram bin: one line per bin (its middle), one column per cycle.
-std::string length_data(const Json& cycles) {
-  std::string data = "# length";
-  for (const Json& cycle : cycles) data += fmt::format(" cycle{}", cycle["cycle"].get<int>());
-  data += '\n';
-  const std::size_t bins = cycles[0]["edge_length"]["histogram"]["counts"].size();
-  for (std::size_t bin = 0; bin < bins; ++bin) {
-    data += fmt::format("{:.2f}", 0.1 * static_cast<double>(bin) + 0.05);
-    for (const Json& cycle : cycles) {
-      const double edges = cycle["edges"];
-      const double count = cycle["edge_length"]["histogram"]["counts"][bin];
-      data += fmt::format(" {:.4f}", 100 * count / edges);
-    }
-    data += '\n';
+std::vector<Plot> all_plots(const Json& history, const fs::path& directory) {
+  std::vector<Plot> plots;
+  for (auto* overview : {error_plots, comparison_plots, band_plots, timing_plots})
+    append(plots, overview(history));
+  for (const Json& variant : history.at("variants")) {
+    append(plots, distribution_plots(variant));
+    append(plots, profile_plots(variant, directory / variant.at("name").get<std::string>()));
   }
-  return data;
+  return plots;
 }
 
-std::string length_script(const std::string& stem, const Json& cycles, const std::string& title) {
-  std::string script = kStyle;
-  script += fmt::format("set output '{}.svg'\nset title {} noenhanced\n", stem, quoted(title));
-  script +=
-      "set xlabel 'edge length in the metric'\nset ylabel 'edges, percent'\nset xrange [0:3.1]\n"
-      "set arrow from 0.7071,graph 0 to 0.7071,graph 1 nohead dt 2 lc '#999999'\n"
-      "set arrow from 1.4142,graph 0 to 1.4142,graph 1 nohead dt 2 lc '#999999'\nplot ";
-  for (std::size_t i = 0; i < cycles.size(); ++i) {
-    const int cycle = cycles[i]["cycle"];
-    const std::string name = cycle == 0 ? "initial mesh" : fmt::format("cycle {}", cycle);
-    script += fmt::format("{}'{}.dat' using 1:{} with linespoints ls {} title '{}'",
-                          i == 0 ? "" : ", \\\n  ", stem, i + 2, i % 6 + 1, name);
+/// Data and scripts of all, which get their final stems.
+void write_plots(std::vector<Plot>& plots, FigureFolder& folder) {
+  std::string all = "# Draws all figures of this folder again.\n";
+  for (Plot& plot : plots) {
+    plot.stem = folder.free_stem(plot.stem);
+    folder.write(plot.stem + ".dat", plot.data);
+    folder.write(plot.stem + ".gp", plot_script(plot));
+    all += "load '" + plot.stem + ".gp'\n";
   }
-  return script + '\n';
+  if (!plots.empty()) folder.write("make-all.gp", all);
+  folder.write("README.txt", figure_readme());
 }
 
-void write_pair(const fs::path& folder, const std::string& stem, const std::string& data,
-                const std::string& script) {
-  write_text_file(folder / (stem + ".dat"), data);
-  write_text_file(folder / (stem + ".gp"), script);
+/// Whether style.gp is the original. A changed one is the user's and stays.
+bool write_style(FigureFolder& folder) {
+  folder.write("formats.gp", figure_formats());
+  const fs::path path = folder.path() / "style.gp";
+  if (fs::exists(path)) return read_text_file(path) == figure_style();
+  write_text_file(path, figure_style());
+  return true;
 }
 
-bool has_error(const Json& variant) {
-  for (const Json& cycle : variant["cycles"])
-    if (!cycle["error"]["relative_energy"].is_null() || !cycle["error"]["estimate"].is_null())
-      return true;
-  return false;
+/// Draws plots; `has_all_formats`: as the original style asks for.
+std::vector<std::string> draw(const std::vector<std::string>& stems, bool has_all_formats,
+                              FigureFolder& folder) {
+  std::vector<std::string> problems = run_gnuplot(folder.path(), stems);
+  bool has_gaps = false;
+  for (const std::string& stem : stems)
+    for (const char* suffix : {".svg", ".pdf", ".png"})
+      has_gaps = !folder.add(stem + suffix) || has_gaps;
+  if (has_gaps && has_all_formats && problems.empty())
+    problems.push_back("this gnuplot draws no .pdf or .png (it lacks the cairo terminals)");
+  return problems;
 }
 
-double error_of(const Json& cycle) {
-  const Json& exact = cycle["error"]["relative_energy"];
-  const Json& value = exact.is_number() ? exact : cycle["error"]["estimate"];
-  return value.is_number() ? value.get<double>() : 0;
+/// Stems of the plots that are worth their time.
+std::vector<std::string> drawn_stems(const std::vector<Plot>& plots, bool has_many) {
+  std::vector<std::string> stems;
+  for (const Plot& plot : plots)
+    if (!has_many || plot.variant.empty()) stems.push_back(plot.stem);
+  return stems;
 }
 
-/// One block of "unknowns error" per variant.
-std::string convergence_data(const Json& variants) {
-  std::string data;
-  for (const Json& variant : variants) {
-    data += "# " + variant["name"].get<std::string>() + "\n";
-    for (const Json& cycle : variant["cycles"])
-      if (error_of(cycle) > 0)
-        data += fmt::format("{} {:.6e}\n", cycle["dofs"].get<int>(), error_of(cycle));
-    data += "\n\n";
+void list_plots(FigureList& list, const std::vector<Plot>& plots, const FigureFolder& folder) {
+  for (const Plot& plot : plots) {
+    const std::string file = plot.stem + ".svg";
+    if (fs::exists(folder.path() / file))
+      list.figures.push_back({file, plot.caption, plot.variant, folder.files_of(plot.stem)});
   }
-  return data;
 }
 
-std::string convergence_script(const Json& variants, const std::string& title) {
-  std::string script = kStyle;
-  script += fmt::format("set output 'convergence.svg'\nset title {} noenhanced\n", quoted(title));
-  script +=
-      "set logscale xy\nset format y '10^{%L}'\nset xlabel 'unknowns'\n"
-      "set ylabel 'relative energy error'\nplot ";
-  for (std::size_t i = 0; i < variants.size(); ++i)
-    script += fmt::format(
-        "{}'convergence.dat' index {} using 1:2 with linespoints ls {} title {} noenhanced",
-        i == 0 ? "" : ", \\\n  ", i, (i + 1) % 6 + 1, quoted(variants[i]["name"]));
-  return script + '\n';
+void add_pictures(FigureList& list, const std::vector<MeshPicture>& pictures, bool has_many,
+                  FigureFolder& folder) {
+  if (!has_many)
+    for (const std::string& problem : convert_pictures(pictures, folder))
+      list.problems.push_back(problem);
+  for (const MeshPicture& picture : pictures)
+    list.figures.push_back(
+        {picture.stem + ".svg", picture.caption, picture.variant, folder.files_of(picture.stem)});
 }
 
-/// Empty when all went well, else what did not.
-std::string run_gnuplot(const fs::path& folder, const std::string& stem) {
-  const int status = run_program_in(folder, {"gnuplot", stem + ".gp"});
-  if (status == 0) return {};
-  if (status == kProgramNotFound)
-    return "gnuplot is not installed: figures are left as data and scripts in " + folder.string();
-  return fmt::format("gnuplot failed on {} (status {}); run it by hand to see why",
-                     (folder / (stem + ".gp")).string(), status);
+FigureList make_figures(const Json& history, const fs::path& directory) {
+  FigureFolder folder(directory / "figures");
+  const bool has_many = history.at("variants").size() > kManyVariants;
+  std::vector<Plot> plots = all_plots(history, directory);
+  write_plots(plots, folder);
+  const bool is_original = write_style(folder);
+  FigureList list;
+  list.problems = draw(drawn_stems(plots, has_many), is_original, folder);
+  list_plots(list, plots, folder);
+  add_pictures(list, draw_meshes(history, directory, folder), has_many, folder);
+  folder.write_list();
+  return list;
 }
 
 }  // namespace
 
 FigureList draw_figures(const Json& history, const fs::path& directory) {
-  const fs::path folder = directory / "figures";
-  make_folder(folder);
-  FigureList list;
-  const auto draw = [&](const std::string& stem, const std::string& caption,
-                        const std::string& variant) {
-    const std::string problem = run_gnuplot(folder, stem);
-    if (problem.empty())
-      list.figures.push_back(
-          {stem + ".svg", caption, variant, {stem + ".svg", stem + ".dat", stem + ".gp"}});
-    else if (list.problems.empty())
-      list.problems.push_back(problem);
-  };
-  const std::string title = history["title"];
-  Json with_error = Json::array();
-  for (const Json& variant : history["variants"]) {
-    if (variant["cycles"].empty()) continue;
-    const std::string name = variant["name"];
-    const std::string stem = name + "-edge-lengths";
-    write_pair(folder, stem, length_data(variant["cycles"]),
-               length_script(stem, variant["cycles"], title + ": " + name));
-    draw(stem, "Edge-length distribution per cycle", name);
-    if (has_error(variant)) with_error.push_back(variant);
+  try {
+    return make_figures(history, directory);
+  } catch (const Json::exception& error) {
+    throw InputError((directory / "history.json").string() +
+                     ": not a history of schema 1: " + error.what());
   }
-  if (with_error.empty()) return list;
-  write_pair(folder, "convergence", convergence_data(with_error),
-             convergence_script(with_error, title));
-  draw("convergence", "Error against the number of unknowns", "");
-  return list;
 }
 
 }  // namespace anisofront

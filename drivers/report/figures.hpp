@@ -20,10 +20,12 @@ struct FigureList {
   std::vector<std::string> problems;  ///< why some are not drawn, one sentence each
 };
 
-/// Draws with gnuplot into figures/ of a results folder: per variant the edge-length distributions
-/// of all cycles (the paper's Figs. 16 and 17), and the error against the number of unknowns where
-/// errors are known. Data (.dat) and script (.gp) stay beside each figure, to be restyled. Without
-/// gnuplot on the PATH only these are written and `problems` says so.
+/// Makes figures/ of a results folder anew: plots with gnuplot as .svg, .pdf and .png, their data
+/// (.dat) and script (.gp) beside them (see figure_plots.hpp), and pictures of the meshes (see
+/// mesh_picture.hpp). An existing style.gp is kept. With more than twelve variants the plots of a
+/// single one are left as data and scripts, which make-all.gp draws, and meshes as .svg only.
+/// Without gnuplot or rsvg-convert on the PATH only what needs them is missing and `problems` says
+/// so. Throws InputError when `history` is not as history_json() says or a file cannot be written.
 FigureList draw_figures(const Json& history, const std::filesystem::path& directory);
 
 }  // namespace anisofront

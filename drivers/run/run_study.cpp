@@ -1,15 +1,18 @@
 #include "drivers/run/run_study.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <thread>
 
 #include <spdlog/fmt/fmt.h>
+#include <unistd.h>
 
+#include "drivers/base/terminal.hpp"
 #include "drivers/base/text.hpp"
 #include "drivers/history/history_csv.hpp"
 #include "drivers/problem/loop_input.hpp"
 #include "drivers/report/report.hpp"
-#include "drivers/report/result_tables.hpp"
+#include "drivers/report/terminal_summary.hpp"
 #include "drivers/run/line_files.hpp"
 #include "drivers/run/run_json.hpp"
 #include "drivers/run/variant_run.hpp"
@@ -20,6 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 
 using State = EarlierRun::State;
+
+/// Files have lines as long as need be.
+constexpr int kNoTerminal = 1000;
 
 std::size_t cycle_count(const EarlierRun& earlier) { return earlier.record.history.cycles.size(); }
 
@@ -61,41 +67,44 @@ auto profile_writer(const fs::path& folder) {
   };
 }
 
-std::vector<VariantJob> prepare(const StudyFile& study, const RunOptions& options,
-                                Console& console) {
+/// For the work on a variant before it runs, and for what is reported later from within.
+Monitor variant_monitor(const std::string& variant, const RunOptions& options, Console& console,
+                        RunProgress& progress) {
+  Monitor monitor = console.monitor(variant);
+  monitor.progress = [variant, &options, &progress](std::string_view phase, double fraction) {
+    progress.report(variant, phase, fraction);
+    return !options.cancelled();
+  };
+  return monitor;
+}
+
+std::vector<VariantJob> prepare(const StudyFile& study, const RunOptions& options, Console& console,
+                                RunProgress& progress) {
   std::vector<VariantJob> jobs;
   for (const Variant& variant : study.variants) {
     VariantJob job{&variant, options.directory / variant.name, {}, {}};
     job.earlier = usable_earlier_run(job, variant_key(study, variant), options, console);
     if (job.earlier.state != State::finished) {
-      job.input = loop_input(variant.study, console.monitor(variant.name));
+      job.input =
+          loop_input(variant.study, variant_monitor(variant.name, options, console, progress));
       job.input->replayed = profile_writer(job.folder);
     }
     jobs.push_back(std::move(job));
   }
+  for (const VariantJob& job : jobs)
+    if (job.input)
+      progress.plan(job.variant->name,
+                    variant_plan(job.variant->study, *job.input, job.earlier.cycles));
   return jobs;
 }
 
-Outcome named_failure(Outcome outcome) {
-  if (outcome.failure)
-    outcome.history.stopped_by =
-        outcome.failure == ErrorKind::interrupted ? StoppedBy::interrupted : StoppedBy::failed;
-  return outcome;
-}
-
 std::vector<Outcome> run_jobs(std::vector<VariantJob> jobs, const RunOptions& options,
-                              Console& console) {
+                              Console& console, RunProgress& progress) {
   std::vector<Outcome> outcomes(jobs.size());
-  Progress progress;
-  progress.total = 0;
-  for (const VariantJob& job : jobs)
-    progress.total +=
-        job.input ? job.input->cycles + 1 : static_cast<int>(cycle_count(job.earlier));
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i = next++; i < jobs.size(); i = next++)
-      outcomes[i] =
-          named_failure(run_variant(std::move(jobs[i]), options.cancelled, console, progress));
+      outcomes[i] = run_variant(std::move(jobs[i]), options.cancelled, console, progress);
   };
   std::vector<std::jthread> helpers;
   for (int i = 1; i < options.threads; ++i) helpers.emplace_back(work);
@@ -145,8 +154,9 @@ void write_results(const StudyFile& study, const std::vector<Outcome>& outcomes,
   write_text_file(directory / "study.toml", study.resolved);
   write_tables(history, directory);
   write_json(run_json(facts), directory / "run.json");
+  console.progress({1, {}, "figures and page"});
   for (const std::string& problem : make_report(directory)) console.warn(problem);
-  console.say(console_summary(history));
+  console.say(terminal_summary(history, terminal_columns(STDOUT_FILENO, kNoTerminal)));
   console.say("results in " + directory.string() +
               ", page: " + (directory / "report.html").string());
 }
@@ -164,10 +174,11 @@ void explain_exit_code(int code, Console& console) {
 int run_study(const StudyFile& study, const RunOptions& options, Console& console) {
   const auto start = std::chrono::steady_clock::now();
   RunFacts facts{options.command, std::chrono::system_clock::now(), 0, options.threads, 0};
-  std::vector<VariantJob> jobs = prepare(study, options, console);
+  RunProgress progress(console);
+  std::vector<VariantJob> jobs = prepare(study, options, console, progress);
   std::vector<std::string> keys;
   for (const VariantJob& job : jobs) keys.push_back(job.earlier.record.key);
-  const std::vector<Outcome> outcomes = run_jobs(std::move(jobs), options, console);
+  const std::vector<Outcome> outcomes = run_jobs(std::move(jobs), options, console, progress);
   facts.exit_code = exit_code(outcomes);
   facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   write_results(study, outcomes, keys, facts, options.directory, console);

@@ -26,9 +26,20 @@ class Clock {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// The console's monitor, keeping the warnings.
-Monitor collecting(std::vector<std::string>& warnings, Console& console) {
-  Monitor monitor = console.monitor("solve");
+/// Work on variant `i` of so many. How long systems take cannot be foretold.
+Monitor variant_monitor(const StudyFile& study, std::size_t i, Console& console) {
+  const auto count = static_cast<double>(study.variants.size());
+  PhasePlan plan{
+      {{"front", 0, 0.1}, {"enhance", 0.1, 0.3}, {"quads", 0.1, 0.3}, {"linear system", 0.3, 0.9}}};
+  for (Phase& phase : plan.phases) {
+    phase.begin = (static_cast<double>(i) + phase.begin) / count;
+    phase.end = (static_cast<double>(i) + phase.end) / count;
+  }
+  return console.monitor(count == 1 ? "solve" : study.variants[i].name, plan);
+}
+
+/// The monitor, keeping the warnings.
+Monitor collecting(std::vector<std::string>& warnings, Monitor monitor, Console& console) {
   monitor.warn = [&warnings, &console](const std::string& message) {
     warnings.push_back(message);
     console.warn(message);
@@ -79,10 +90,11 @@ Solved solve_problem(const Study& study, const Domain& domain, const FeMesh& mes
   }
 }
 
-void solve_variant(const Variant& variant, const fs::path& folder, Console& console) {
+void solve_variant(const Variant& variant, const fs::path& folder, const Monitor& progress,
+                   Console& console) {
   const Study& study = variant.study;
   std::vector<std::string> warnings;
-  const Monitor monitor = collecting(warnings, console);
+  const Monitor monitor = collecting(warnings, progress, console);
   Clock clock;
   SolveSeconds seconds;
   const Start start = study_start(study, InitialElements::as_in_study, monitor);
@@ -106,12 +118,14 @@ void solve_variant(const Variant& variant, const fs::path& folder, Console& cons
 
 void solve_study(const StudyFile& study, const fs::path& directory, Console& console) {
   const bool is_single = study.variants.size() == 1;
-  for (const Variant& variant : study.variants) {
+  for (std::size_t i = 0; i < study.variants.size(); ++i) {
+    const Variant& variant = study.variants[i];
     if (variant.study.metric)
       throw UsageError(study.path.string() +
                        ": prescribes a [metric], there is no [problem] to solve; see `run`");
     try {
-      solve_variant(variant, is_single ? directory : directory / variant.name, console);
+      solve_variant(variant, is_single ? directory : directory / variant.name,
+                    variant_monitor(study, i, console), console);
     } catch (const Error& error) {
       if (is_single) throw;
       throw Error(error.kind(), variant.name + ": " + error.what());

@@ -1,6 +1,7 @@
 #include "drivers/run/variant_run.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include <spdlog/fmt/fmt.h>
@@ -13,7 +14,7 @@ namespace {
 class VariantRun {
  public:
   VariantRun(VariantJob job, const std::function<bool()>& cancelled, Console& console,
-             Progress& progress)
+             RunProgress& progress)
       : job_(std::move(job)),
         variant_(*job_.variant),
         record_(std::move(job_.earlier.record)),
@@ -22,11 +23,13 @@ class VariantRun {
         progress_(progress) {
     record_.history.name = variant_.name;
     record_.history.settings = variant_settings(variant_);
-    progress_.finished += static_cast<int>(record_.history.cycles.size());
   }
 
   Outcome run() {
-    if (job_.input) try_loop();
+    if (job_.input) {
+      try_loop();
+      progress_.finish(variant_.name);
+    }
     return {std::move(record_.history), failure_};
   }
 
@@ -44,6 +47,7 @@ class VariantRun {
   }
 
   void loop() {
+    if (cancelled_()) throw Interrupted();
     LoopInput& input = *job_.input;
     input.done = std::move(job_.earlier.cycles);
     if (!input.done.empty()) remove_cycles(job_.folder, static_cast<int>(input.done.size()));
@@ -63,9 +67,10 @@ class VariantRun {
 
   void fail(ErrorKind kind, const std::string& message) {
     failure_ = kind;
-    record_.history.stop_reason =
-        kind == ErrorKind::interrupted ? "interrupted" : "failed: " + message;
-    if (kind != ErrorKind::interrupted) console_.error(variant_.name + ": " + message);
+    const bool is_interrupted = kind == ErrorKind::interrupted;
+    record_.history.stopped_by = is_interrupted ? StoppedBy::interrupted : StoppedBy::failed;
+    record_.history.stop_reason = is_interrupted ? "interrupted" : "failed: " + message;
+    if (!is_interrupted) console_.error(variant_.name + ": " + message);
   }
 
   /// Of an earlier run that is not gone on with.
@@ -80,10 +85,24 @@ class VariantRun {
     record_.history.cycles.push_back(with_warnings(record));
     record_.digests.push_back(file_digest(job_.folder / cycle_mesh_name(record.cycle)));
     write_record(job_.folder, record_);
-    ++progress_.finished;
-    console_.detail(fmt::format("{}: cycle {}: {} vertices, {} elements", variant_.name,
-                                record.cycle, record.background.vertices,
-                                record.background.elements));
+    progress_.finish_cycle(variant_.name, record.background.vertices, analysis.next_vertices);
+    tell(record);
+  }
+
+  void tell(const CycleRecord& record) {
+    const MeshStatistics& mesh = record.background;
+    const std::string message = fmt::format("{}: cycle {}: {} vertices, {} elements", variant_.name,
+                                            record.cycle, mesh.vertices, mesh.elements);
+    console_.detail(message);
+    const auto end = std::chrono::steady_clock::now();
+    const double seconds =
+        std::chrono::duration<double>(end - std::exchange(cycle_start_, end)).count();
+    console_.event("cycle", message,
+                   {{"variant", variant_.name},
+                    {"cycle", record.cycle},
+                    {"vertices", mesh.vertices},
+                    {"elements", mesh.elements},
+                    {"seconds", seconds}});
   }
 
   /// Adds the warnings heard since the last finished cycle.
@@ -101,11 +120,8 @@ class VariantRun {
       warnings_.push_back(message);
       console_.warn(variant_.name + ": " + message);
     };
-    monitor.progress = [this](std::string_view phase, double) {
-      console_.progress(
-          fmt::format("{} cycle {}/{} {}", variant_.name, record_.history.cycles.size(),
-                      variant_.study.adapt.cycles, phase),
-          progress_.fraction());
+    monitor.progress = [this](std::string_view phase, double fraction) {
+      progress_.report(variant_.name, phase, fraction);
       return !cancelled_();
     };
     return monitor;
@@ -116,15 +132,16 @@ class VariantRun {
   RunRecord record_;
   const std::function<bool()>& cancelled_;
   Console& console_;
-  Progress& progress_;
+  RunProgress& progress_;
   std::optional<ErrorKind> failure_;
+  std::chrono::steady_clock::time_point cycle_start_ = std::chrono::steady_clock::now();
   std::vector<std::string> warnings_;  ///< since the last finished cycle
 };
 
 }  // namespace
 
 Outcome run_variant(VariantJob job, const std::function<bool()>& cancelled, Console& console,
-                    Progress& progress) {
+                    RunProgress& progress) {
   return VariantRun(std::move(job), cancelled, console, progress).run();
 }
 

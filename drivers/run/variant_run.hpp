@@ -1,10 +1,10 @@
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <optional>
 
 #include "drivers/base/console.hpp"
+#include "drivers/run/run_progress.hpp"
 #include "drivers/run/run_state.hpp"
 
 namespace anisofront {
@@ -24,16 +24,10 @@ struct Outcome {
   std::optional<ErrorKind> failure;
 };
 
-/// Counts finished cycles of all variants for the progress bar.
-struct Progress {
-  std::atomic<int> finished{0};
-  int total = 1;
-  double fraction() const { return static_cast<double>(finished) / total; }
-};
-
 /// Runs a variant, or returns what an earlier run has found. Every cycle leaves its files and then
 /// its record. `cancelled` is asked often: true ends the run. Errors end up in the outcome.
+/// Precondition: unless it is finished, the variant is planned in `progress`.
 Outcome run_variant(VariantJob job, const std::function<bool()>& cancelled, Console& console,
-                    Progress& progress);
+                    RunProgress& progress);
 
 }  // namespace anisofront

@@ -26,7 +26,7 @@ class Discretiser {
         max_segments_(max_segments),
         monitor_(monitor),
         negligible_(1e3 * join_tolerance(background)),
-        frame_(make_curve_frame(domain, join_tolerance(background), monitor)),
+        frame_(make_curve_frame(domain, join_tolerance(background), options.corner_angle, monitor)),
         cutter_(domain, old_mesh, background, options, static_cast<double>(max_segments), frame_) {}
 
   Boundary run() {

@@ -18,6 +18,8 @@ struct BoundaryOptions {
   double sample_length = 0.25;
   /// Largest distance of an edge from its curve, length unit of the model; <= 0: no limit.
   double chord_height = 0;
+  /// Inside curves, points where they turn by more degrees are vertices of every mesh.
+  double corner_angle = 20;
   /// Every part of the domain bounded by segments gets an even number of edges (those of embedded
   /// curves count twice, interfaces once on each side), so that quadrilaterals can fill it. Numbers
   /// of edges differ from Eqn 19 by one at most, where that costs least in |ln(N / L)|; closed

@@ -9,13 +9,18 @@ namespace {
 
 class Framer {
  public:
-  Framer(const Domain& domain, double tolerance, const Monitor& monitor)
-      : domain_(domain), monitor_(monitor), tolerance_(tolerance), on_curve_(1e3 * tolerance) {}
+  Framer(const Domain& domain, double tolerance, double corner_angle, const Monitor& monitor)
+      : domain_(domain),
+        monitor_(monitor),
+        tolerance_(tolerance),
+        on_curve_(1e3 * tolerance),
+        corner_angle_(corner_angle) {}
 
   CurveFrame run() {
     find_sides();
     place_curve_ends();
     attach_points();
+    split_at_kinks();
     add_pieces();
     return std::move(frame_);
   }
@@ -133,6 +138,20 @@ class Framer {
     return vertex;
   }
 
+  /// Cut off by no edge, the corners of a polyline stay.
+  void split_at_kinks() {
+    for (std::size_t c = 0; c < frame_.sides.size(); ++c) {
+      if (!frame_.sides[c].used()) continue;
+      for (const CurveKink& kink : kinks(domain_.curves[c].curve, corner_angle_)) {
+        const auto is_there = [&](const Split& split) {
+          return norm(frame_.vertices[split.vertex] - kink.point) <= on_curve_;
+        };
+        if (std::none_of(splits_[c].begin(), splits_[c].end(), is_there))
+          splits_[c].push_back({kink.parameter, add_vertex(kink.point)});
+      }
+    }
+  }
+
   void add_pieces() {
     for (std::size_t c = 0; c < frame_.sides.size(); ++c) {
       if (!frame_.sides[c].used()) continue;
@@ -157,6 +176,7 @@ class Framer {
   const Monitor& monitor_;
   double tolerance_;  ///< ends of curves nearer than this are one point
   double on_curve_;   ///< points nearer than this to a curve lie on it
+  double corner_angle_;
   CurveFrame frame_;
   std::vector<std::array<Index, 2>> ends_;  ///< per curve: vertices of its two ends
   std::vector<Index> end_vertices_;         ///< by ascending x
@@ -166,8 +186,9 @@ class Framer {
 
 }  // namespace
 
-CurveFrame make_curve_frame(const Domain& domain, double tolerance, const Monitor& monitor) {
-  return Framer(domain, tolerance, monitor).run();
+CurveFrame make_curve_frame(const Domain& domain, double tolerance, double corner_angle,
+                            const Monitor& monitor) {
+  return Framer(domain, tolerance, corner_angle, monitor).run();
 }
 
 }  // namespace anisofront

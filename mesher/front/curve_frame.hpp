@@ -29,8 +29,9 @@ struct CurveFrame {
 };
 
 /// Curve ends within `tolerance` of each other become one vertex; domain points, and ends of
-/// embedded curves, within a thousand tolerances of a curve split it. Warns about curves without a
-/// region.
-CurveFrame make_curve_frame(const Domain& domain, double tolerance, const Monitor& monitor);
+/// embedded curves, within a thousand tolerances of a curve split it, and so do points where it
+/// turns by more than `corner_angle` degrees. Warns about curves without a region.
+CurveFrame make_curve_frame(const Domain& domain, double tolerance, double corner_angle,
+                            const Monitor& monitor);
 
 }  // namespace anisofront

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "mesher/geometry/curve_piece.hpp"
@@ -146,6 +147,22 @@ double curvature(const NurbsCurve& curve, double t) {
   const CurveDerivatives d = derivatives(curve, t);
   const double speed = norm(d.first);
   return speed > 0 ? cross(d.first, d.second) / (speed * speed * speed) : 0;
+}
+
+std::vector<CurveKink> kinks(const NurbsCurve& curve, double angle) {
+  const double least_cosine = std::cos(angle * std::numbers::pi / 180);
+  const auto degree = static_cast<std::size_t>(curve.degree);
+  std::vector<CurveKink> found;
+  // An inner knot as often as the degree: the curve runs through control point k - 1.
+  for (std::size_t k = degree + 1; k < curve.points.size(); ++k) {
+    const double t = curve.knots[k];
+    if (t == curve.knots[k - 1] || curve.knots[k + degree - 1] != t) continue;
+    const Vector in = curve.points[k - 1] - curve.points[k - 2];
+    const Vector out = curve.points[k] - curve.points[k - 1];
+    if (dot(in, out) < least_cosine * norm(in) * norm(out))
+      found.push_back({t, curve.points[k - 1]});
+  }
+  return found;
 }
 
 std::vector<double> distinct_knots(const NurbsCurve& curve) {

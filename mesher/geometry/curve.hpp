@@ -56,6 +56,14 @@ NearestPoint nearest_point(const NurbsCurve& curve, Point p);
 /// Parameters of the breaks of smoothness or of the knot spans: ascending, both ends included.
 std::vector<double> distinct_knots(const NurbsCurve& curve);
 
+/// A point where a curve turns at once.
+struct CurveKink {
+  double parameter = 0;
+  Point point;
+};
+/// The inner points where the tangent turns by more than `angle` degrees: ascending.
+std::vector<CurveKink> kinks(const NurbsCurve& curve, double angle);
+
 /// True when the first and last point coincide exactly.
 bool is_closed(const NurbsCurve& curve);
 

@@ -1,6 +1,7 @@
 // Profiles from the study file to the results folder.
 #include <doctest/doctest.h>
 
+#include "drivers/problem/loop_input.hpp"
 #include "drivers/run/run_study.hpp"
 #include "tests/drivers/program_call.hpp"
 #include "tests/drivers/result_folder.hpp"
@@ -36,13 +37,16 @@ struct Runs {
   fs::path results() const { return folder.path() / "r"; }
   fs::path lines() const { return results() / "main/lines"; }
 
-  int run(EarlierResults earlier = EarlierResults::ignore) {
+  int run(
+      EarlierResults earlier = EarlierResults::ignore,
+      const std::function<bool()>& cancelled = [] { return false; }) {
+    const InterruptGuard guard;  // forgets the signals of other tests
     Console console{out, err};
     RunOptions options;
     options.directory = results();
     options.earlier = earlier;
     options.command = "anisofront run s.toml";
-    options.cancelled = [] { return false; };
+    options.cancelled = cancelled;
     return run_study(read_study_file(folder.path() / "s.toml"), options, console);
   }
   /// The record of a run that ended after its last cycle and before the end.
@@ -56,6 +60,42 @@ struct Runs {
 
 std::string small(int cycles) {
   return small_problem("cycles = " + std::to_string(cycles) + "\ntarget = { nodes = 60 }", kLines);
+}
+
+/// The profile of the only line, or the first, of a ready study on its last mesh.
+Profile last_profile(const std::string& name, const std::vector<std::string>& settings) {
+  const StudyFile file =
+      read_study_file(ANISOFRONT_DATA "/studies/" + name + ".toml", parse_overrides(settings));
+  LoopInput input = loop_input(file.variants.front().study);
+  input.measure_errors = {};
+  Profile last;
+  input.finished = [&](const CycleRecord&, const Mesh&, const Analysis& analysis) {
+    last = analysis.profiles.at(0);
+  };
+  adapt_loop(input);
+  return last;
+}
+
+std::vector<double> column(const NumberTable& table, const std::string& name) {
+  const auto found = std::find(table.columns.begin(), table.columns.end(), name);
+  REQUIRE(found != table.columns.end());
+  std::vector<double> values;
+  for (const std::vector<double>& row : table.rows)
+    values.push_back(row[static_cast<std::size_t>(found - table.columns.begin())]);
+  return values;
+}
+
+/// The largest difference from the reference as a share of its largest value.
+double deviation(const Profile& profile, const std::string& name) {
+  const std::vector<double> found = column(profile.values, name),
+                            reference = column(profile.reference.value(), name);
+  REQUIRE(found.size() == reference.size());
+  double difference = 0, largest = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    difference = std::max(difference, std::abs(found[i] - reference[i]));
+    largest = std::max(largest, std::abs(reference[i]));
+  }
+  return difference / largest;
 }
 
 }  // namespace
@@ -182,6 +222,17 @@ TEST_CASE("a run is described beside its results") {
   CHECK(json["version"] == read_json(runs.results() / "history.json")["version"]);
 }
 
+TEST_CASE("an interrupted run says so and keeps the profiles of its cycles") {
+  Runs runs(small(3));
+  const auto mesh = runs.results() / "main/cycle-1.msh";
+  CHECK(runs.run(EarlierResults::ignore, [&] { return fs::exists(mesh); }) == 130);
+  CHECK(read_json(runs.results() / "run.json")["exit_code"] == 130);
+  const Json variant = read_json(runs.results() / "history.json")["variants"][0];
+  CHECK(variant["stopped_by"] == "interrupted");
+  for (const Json& cycle : variant["cycles"])
+    CHECK(fs::exists(runs.lines() / ("cycle-" + cycle["cycle"].dump() + "-cut.csv")));
+}
+
 TEST_CASE("what stopped a run is in its history and decides the exit code") {
   const auto stopped = [](const std::string& adapt, int code) {
     Runs runs(small_problem("cycles = 3\n" + adapt));
@@ -193,6 +244,41 @@ TEST_CASE("what stopped a run is in its history and decides the exit code") {
   CHECK(stopped("target = { error = 0.9 }", 0) == "target");
   CHECK(stopped("target = { error = 1e-6 }", 1) == "cycles");
   CHECK(stopped("target = { nodes = 60 }\nbudget = { nodes = 50 }", 5) == "budget");
+}
+
+TEST_SUITE_END();
+
+TEST_SUITE_BEGIN("golden");
+
+TEST_CASE("the layer of a known solution is met point by point") {
+  const Profile layer = last_profile(
+      "reaction-diffusion-layer",
+      {"problem.constants.eps=0.01", "problem.order=2", "vary.mesh=coarse", "adapt.cycles=4"});
+  CHECK(deviation(layer, "u") < 0.005);
+  CHECK(deviation(layer, "u_x") < 0.03);
+}
+
+// Shear force at a quarter of the edge: FE.md 3.3, three hp discretisations.
+TEST_CASE("the formula of the layer of a soft support is met point by point") {
+  for (const auto& [t, shear] : {std::pair<std::string, double>{"0.01", -6.382960487},
+                                 std::pair<std::string, double>{"0.001", -63.27489484}}) {
+    CAPTURE(t);
+    const Profile layer = last_profile(
+        "plate-boundary-layer", {"problem.constants.t=" + t, "vary.mesh=fine", "adapt.cycles=4"});
+    CHECK(deviation(layer, "M_xy") < 0.08);  // 0.005 on 6000 vertices
+    CHECK(deviation(layer, "Q_x") < 0.02);
+    CHECK(column(layer.values, "Q_x")[0] == doctest::Approx(shear).epsilon(0.01));
+    CHECK(column(*layer.reference, "Q_x")[0] == doctest::Approx(shear).epsilon(2e-4));
+  }
+}
+
+// Side 10 and t = 0.2, scaled from side 1 and t = 0.02.
+TEST_CASE("the formula of the layer holds for the plate on the metric of Example 2") {
+  const Profile layer =
+      last_profile("paper-example-2-plate",
+                   {"adapt.mode=anisotropic", "mesh.elements=triangle", "adapt.cycles=3"});
+  CHECK(deviation(layer, "M_xy") < 0.08);
+  CHECK(deviation(layer, "Q_x") < 0.02);
 }
 
 TEST_SUITE_END();

@@ -43,10 +43,24 @@ inline std::string timeless_csv(const std::string& csv) {
   return text;
 }
 
+/// A page without times and how it was made.
+inline std::string timeless_page(const std::string& page) {
+  const std::string tag = "id=\"report-data\">";
+  const std::size_t begin = page.find(tag) + tag.size();
+  const std::size_t end = page.find("</script>", begin);
+  Json data = timeless(Json::parse(page.substr(begin, end - begin)));
+  for (Json& run : data["runs"]) {
+    for (const char* key : {"command", "date"}) run.erase(key);
+    for (Json& table : run["csv"]) table = timeless_csv(table.get<std::string>());
+  }
+  return page.substr(0, begin) + data.dump() + page.substr(end);
+}
+
 /// What a file says, times left out.
 inline std::string timeless_content(const std::filesystem::path& path) {
   const std::string content = read_text_file(path);
   if (path.extension() == ".json") return timeless(Json::parse(content)).dump();
+  if (path.extension() == ".html") return timeless_page(content);
   return path.extension() == ".csv" ? timeless_csv(content) : content;
 }
 
@@ -59,14 +73,18 @@ inline std::set<std::string> files_below(const std::filesystem::path& folder) {
   return names;
 }
 
-/// The files that are missing in one of the folders or say something else, times left out. run.json
-/// is about the run and not about its results.
+/// Files that say how and how fast something ran: run.json and the figure of the timings.
+inline bool is_about_run(const std::string& name) {
+  return name == "run.json" || name.starts_with("figures/timings.");
+}
+
+/// The files that are missing in one of the folders or say something else, times left out.
 inline std::string differences(const std::filesystem::path& a, const std::filesystem::path& b) {
   std::string text;
   std::set<std::string> names = files_below(a);
   names.merge(files_below(b));
   for (const std::string& name : names)
-    if (name != "run.json" &&
+    if (!is_about_run(name) &&
         (!std::filesystem::exists(a / name) || !std::filesystem::exists(b / name) ||
          timeless_content(a / name) != timeless_content(b / name)))
       text += name + "\n";

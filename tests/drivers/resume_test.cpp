@@ -42,7 +42,8 @@ struct Runs {
     VariantJob job{&only, variant(), read_earlier_run(variant(), key), loop_input(only.study)};
     job.earlier.record.key = key;
     if (change) change(*job.input);
-    Progress progress;
+    RunProgress progress(console);
+    progress.plan(only.name, variant_plan(only.study, *job.input, job.earlier.cycles));
     return run_variant(std::move(job), cancelled, console, progress);
   }
 

@@ -54,7 +54,7 @@ expect_include_caught(mesher/quads/matching.hpp "#include <lemon/matching.h>" "<
 expect_include_caught(mesher/quads/matching.cpp "#include <CGAL/number_utils.h>"
                       "<CGAL/number_utils.h>")
 expect_include_caught(drivers/commands/main.cpp "#include <CGAL/number_utils.h>" "<CGAL/number_utils.h>")
-expect_include_caught(drivers/report/html.cpp "#include \"drivers/run/run_study.hpp\""
+expect_include_caught(drivers/report/page.cpp "#include \"drivers/run/run_study.hpp\""
                       "\"drivers/run/run_study.hpp\"")
 
 file(WRITE ${WORK}/mesher/stray/new.cpp "")
