@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 3> kStages{"cycles", "reference", "resume
 
 void RunProgress::plan(const std::string& variant, const VariantPlan& plan) {
   const std::lock_guard lock(mutex_);
-  entries_.push_back({variant, VariantWork(plan), {}});
+  entries_.push_back({variant, VariantWork(plan), {}, false});
   start_ = Clock::now();
 }
 
@@ -25,12 +25,13 @@ RunProgress::Entry* RunProgress::find(const std::string& variant) {
   return nullptr;
 }
 
-/// Of the variants at work the first speaks, so that the line is calm.
+/// Of the variants that are not finished the first speaks, so that the line is calm.
 std::string RunProgress::label() const {
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const Entry& entry = entries_[i];
-    if (entry.phase.empty()) continue;
-    const bool is_phase = std::find(kStages.begin(), kStages.end(), entry.phase) == kStages.end();
+    if (entry.is_finished) continue;
+    const bool is_phase = !entry.phase.empty() &&
+                          std::find(kStages.begin(), kStages.end(), entry.phase) == kStages.end();
     const std::string stage = entry.work.stage() + (is_phase ? ", " + entry.phase : "");
     if (entries_.size() == 1) return stage;
     return fmt::format("{} of {}: {}  {}", i + 1, entries_.size(), stage, entry.variant);
@@ -38,7 +39,7 @@ std::string RunProgress::label() const {
   return {};
 }
 
-WorkState RunProgress::state() {
+WorkState RunProgress::current_state() {
   double done = 0, total = 0;
   for (const Entry& entry : entries_) {
     done += entry.work.done();
@@ -53,6 +54,11 @@ WorkState RunProgress::state() {
   return {fraction_, time_.seconds_left(now), label()};
 }
 
+WorkState RunProgress::state() {
+  const std::lock_guard lock(mutex_);
+  return current_state();
+}
+
 void RunProgress::report(const std::string& variant, std::string_view phase, double fraction) {
   const std::lock_guard lock(mutex_);
   Entry* entry = find(variant);
@@ -60,7 +66,7 @@ void RunProgress::report(const std::string& variant, std::string_view phase, dou
     return console_.progress({0, {}, fmt::format("preparing {}: {}", variant, phase)});
   entry->phase = phase;
   entry->work.report(phase, fraction);
-  console_.progress(state());
+  console_.progress(current_state());
 }
 
 void RunProgress::finish_cycle(const std::string& variant, double vertices, double next_vertices) {
@@ -69,15 +75,16 @@ void RunProgress::finish_cycle(const std::string& variant, double vertices, doub
   // The initial mesh is no measure: it is small, and was made before.
   has_finished_cycle_ = has_finished_cycle_ || entry->work.cycle() > 0;
   entry->work.finish_cycle(vertices, next_vertices);
-  console_.progress(state());
+  entry->phase.clear();
+  console_.progress(current_state());
 }
 
 void RunProgress::finish(const std::string& variant) {
   const std::lock_guard lock(mutex_);
   Entry* entry = find(variant);
-  entry->phase.clear();
+  entry->is_finished = true;
   entry->work.finish();
-  console_.progress(state());
+  console_.progress(current_state());
 }
 
 }  // namespace anisofront

@@ -24,17 +24,21 @@ class RunProgress {
   void finish_cycle(const std::string& variant, double vertices, double next_vertices);
   void finish(const std::string& variant);
 
+  /// What the bar shows.
+  WorkState state();
+
  private:
   struct Entry {
     std::string variant;
     VariantWork work;
-    std::string phase;  ///< last reported; empty: not begun or finished
+    std::string phase;  ///< last reported
+    bool is_finished = false;
   };
   using Clock = std::chrono::steady_clock;
 
   Entry* find(const std::string& variant);
   std::string label() const;
-  WorkState state();
+  WorkState current_state();
 
   Console& console_;
   std::vector<Entry> entries_;

@@ -42,15 +42,34 @@ std::string what_happens(const EarlierRun& earlier, EarlierResults use) {
                      last);
 }
 
+/// Texts, and the variants that each is about.
+using Notes = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+void add_note(const std::string& text, const std::string& variant, Notes& notes) {
+  if (text.empty()) return;
+  for (auto& [known, variants] : notes)
+    if (known == text) return variants.push_back(variant);
+  notes.push_back({text, {variant}});
+}
+
+/// A line per variant, or one for many.
+void say_notes(const Notes& notes, Console& console) {
+  constexpr std::size_t kMany = 6;
+  for (const auto& [text, variants] : notes)
+    if (variants.size() >= kMany)
+      console.say(fmt::format("{} variants: {}", variants.size(), text));
+    else
+      for (const std::string& variant : variants) console.say(variant + ": " + text);
+}
+
 EarlierRun usable_earlier_run(const VariantJob& job, const std::string& key,
-                              const RunOptions& options, Console& console) {
+                              const RunOptions& options, Notes& notes, Console& console) {
   EarlierRun earlier;
   if (options.earlier != EarlierResults::ignore) earlier = read_earlier_run(job.folder, key);
   if (!earlier.damage.empty())
     console.warn(fmt::format("{}: {}: {} complete cycles before it can be used", job.variant->name,
                              earlier.damage, cycle_count(earlier)));
-  const std::string text = what_happens(earlier, options.earlier);
-  if (!text.empty()) console.say(job.variant->name + ": " + text);
+  add_note(what_happens(earlier, options.earlier), job.variant->name, notes);
   const bool is_used =
       earlier.state == State::finished ||
       (earlier.state == State::unfinished && options.earlier == EarlierResults::resume);
@@ -81,9 +100,10 @@ Monitor variant_monitor(const std::string& variant, const RunOptions& options, C
 std::vector<VariantJob> prepare(const StudyFile& study, const RunOptions& options, Console& console,
                                 RunProgress& progress) {
   std::vector<VariantJob> jobs;
+  Notes notes;
   for (const Variant& variant : study.variants) {
     VariantJob job{&variant, options.directory / variant.name, {}, {}};
-    job.earlier = usable_earlier_run(job, variant_key(study, variant), options, console);
+    job.earlier = usable_earlier_run(job, variant_key(study, variant), options, notes, console);
     if (job.earlier.state != State::finished) {
       job.input =
           loop_input(variant.study, variant_monitor(variant.name, options, console, progress));
@@ -91,6 +111,7 @@ std::vector<VariantJob> prepare(const StudyFile& study, const RunOptions& option
     }
     jobs.push_back(std::move(job));
   }
+  say_notes(notes, console);
   for (const VariantJob& job : jobs)
     if (job.input)
       progress.plan(job.variant->name,

@@ -415,6 +415,19 @@ TEST_CASE("after an interruption no further variant is begun") {
   CHECK_FALSE(std::filesystem::exists(options.directory / "paper"));
 }
 
+TEST_CASE("what becomes of many earlier results takes one line") {
+  const TemporaryFolder folder;
+  const auto study = folder.write("t.toml", std::string(kTinyStudy) +
+                                                "[vary]\n\"mesh.preset\" = [\"best\", \"paper\"]\n"
+                                                "\"adapt.limits.hmax\" = [0.25, 0.5, 1]\n");
+  const auto dir = folder.path() / "r";
+  CHECK(call({"run", study.string(), "-q", "-o", dir.string()}).code == 0);
+  const Result again = call({"run", study.string(), "-o", dir.string()});
+  CHECK(again.code == 0);
+  CHECK(has(again.out, "6 variants: finished by an earlier run"));
+  CHECK_FALSE(has(again.out, "best-1: "));
+}
+
 TEST_CASE("Ctrl-C raises the flag instead of ending the program") {
   const InterruptGuard guard;
   CHECK_FALSE(InterruptGuard::requested());
