@@ -20,7 +20,7 @@ export async function startBrowser(more = []) {
   const folder = mkdtempSync(join(tmpdir(), "anisofront-browser-"));
   const process_ = spawn(kProgram, ["--headless=new", "--no-sandbox", "--disable-gpu",
     "--hide-scrollbars", "--remote-debugging-pipe", "--no-first-run", "--disable-extensions",
-    "--disable-background-networking", `--user-data-dir=${folder}`, ...more,
+    "--disable-background-networking", "--disable-dev-shm-usage", `--user-data-dir=${folder}`, ...more,
     "about:blank"],
   {stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"]});
   const connection = connect(process_);
